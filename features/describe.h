@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "features/core/descriptor.h"
+#include "features/core/recipe.h"
+#include "features/decomposition/ball_decomposition.h"
+
+namespace mdbd {
+
+/// Everything that is computed from one shape file.
+struct ShapeDescription {
+  std::string format;          ///< of the file: "off", "obj", …
+  std::string representation;  ///< "mesh"
+  std::string statistics;      ///< a JSON object: what was read and what was done to it
+  BallDecomposition decomposition;
+  Descriptor descriptor;
+};
+
+/// Reads a shape, decomposes it and computes its descriptor.
+/// @throws IoError if the file cannot be read
+/// @throws InvalidInput if it is no usable shape or encloses nothing; the message does not name the
+///         file
+ShapeDescription describe_file(const std::filesystem::path& path, const Recipe& recipe);
+
+}  // namespace mdbd

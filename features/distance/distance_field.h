@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <span>
+
+#include "features/core/ball.h"
+
+namespace mdbd {
+
+/// Which side of the boundary a point is on.
+enum class Side : unsigned char { unknown, inside, outside };
+
+/// A point to be measured, with what the caller already knows about it. Object units.
+struct DistanceQuery {
+  Eigen::Vector3d point;
+  Side side = Side::unknown;  ///< if known, the field need not find out
+  /// An upper bound of the distance to the boundary: a warm start. It must be true.
+  double bound = std::numeric_limits<double>::infinity();
+};
+
+/// What was measured at a point. Object units.
+struct DistanceSample {
+  double distance = 0.0;  ///< to the boundary, positive inside the solid and negative outside
+  Eigen::Vector3d closest = Eigen::Vector3d::Zero();  ///< a closest point of the boundary
+};
+
+/// All that a decomposition knows of a shape: distances. One implementation for each
+/// representation.
+///
+/// The distance is 1-Lipschitz where the boundary is closed. Where it has a hole, only the unsigned
+/// distance is, and the sign changes across the hole.
+class DistanceField {
+ public:
+  virtual ~DistanceField() = default;
+
+  /// The smallest ball that encloses the boundary; its radius is the scale R. Positive radius.
+  virtual Ball enclosing_ball() const = 0;
+
+  /// Measures samples[i] at queries[i]. Thread-safe. The result does not depend on the batch.
+  /// @pre queries.size() == samples.size(); all points are finite
+  virtual void measure(std::span<const DistanceQuery> queries,
+                       std::span<DistanceSample> samples) const = 0;
+
+  /// Measures one point.
+  DistanceSample measure(const DistanceQuery& query) const {
+    DistanceSample sample;
+    measure(std::span(&query, 1), std::span(&sample, 1));
+    return sample;
+  }
+};
+
+}  // namespace mdbd
