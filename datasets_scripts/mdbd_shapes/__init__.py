@@ -1,0 +1,1 @@
+"""Parametric shapes for the demo collection: closed triangle meshes, made with the standard library."""
