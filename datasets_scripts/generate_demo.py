@@ -24,8 +24,7 @@ class DemoError(Exception):
 
 
 def make_model(family: str, stream: str) -> Mesh:
-    """One model of a family. The stream's name seeds it (a text, so that no hash is involved), with
-    one generator for the shape and one for the position."""
+    """One model of a family; the text seeds a generator for the shape and one for the position."""
     mesh = FAMILIES[family](Random(f"{stream}/shape"))
     return random_pose(mesh, Random(f"{stream}/pose"))
 
@@ -34,7 +33,7 @@ def check_output(out: Path, force: bool) -> None:
     if out.exists() and not out.is_dir():
         raise DemoError(f"{out} is not a folder")
     if out.is_dir() and any(out.iterdir()) and not force:
-        raise DemoError(f"{out} is not empty: choose another folder, or add --force to write into it")
+        raise DemoError(f"{out} is not empty: choose another folder, or add --force")
 
 
 def write_collection(out: Path, seed: int, per_family: int) -> Counter[str]:
@@ -63,14 +62,14 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
         epilog="example: generate_demo.py demo/models --query demo/chair.ply",
     )
     parser.add_argument("out", metavar="OUT", type=Path, help="folder to write into, new or empty")
-    parser.add_argument("--seed", type=int, default=1, help="another seed, other models (default 1)")
+    parser.add_argument("--seed", type=int, default=1, help="the models depend on it (default 1)")
     parser.add_argument(
         "--per-family", type=int, default=10, metavar="N", help="models of each family (default 10)"
     )
     parser.add_argument(
-        "--query", type=Path, metavar="FILE", help="also write a chair that is not in the collection"
+        "--query", type=Path, metavar="FILE", help="also write a chair that is not among them"
     )
-    parser.add_argument("--force", action="store_true", help="write into a folder that is not empty")
+    parser.add_argument("--force", action="store_true", help="OUT need not be empty")
     options = parser.parse_args(arguments)
     if options.per_family < 1:
         parser.error("--per-family must be at least 1")

@@ -1,1 +1,1 @@
-"""Parametric shapes for the demo collection: closed triangle meshes, made with the standard library."""
+"""Parametric shapes for the demo collection: closed triangle meshes."""

@@ -1,4 +1,4 @@
-"""Families of everyday things. Each function draws the parameters of one model from a generator.
+"""Families of everyday things. Each function draws one model's parameters from a generator.
 
 Parts of a model that meet overlap a little, so that the solid has no gaps.
 """
@@ -96,8 +96,8 @@ def chair(rng: Random) -> Mesh:
         for a, b in ((0, 1), (2, 3)):
             ends = []
             for x, y, _ in (feet[a], feet[b]):
-                inward = splay * share
-                ends.append((x - math.copysign(inward, x), y - math.copysign(inward, y), share * seat))
+                sx, sy = math.copysign(splay * share, x), math.copysign(splay * share, y)
+                ends.append((x - sx, y - sy, share * seat))
             parts.append(beam(circle(0.25 * leg, 8), ends[0], ends[1], 5))
     parts += _chair_back(rng, width, seat, depth, rng.uniform(0.35, 0.60))
     if rng.random() < 0.4:
@@ -284,9 +284,9 @@ def lamp(rng: Random) -> Mesh:
     reach = 0.5 * (bottom + top) - 0.5 * wall
     parts = [column, shade]
     for k in range(3):
-        t = 2.0 * math.pi * k / 3
-        end = (reach * math.cos(t), reach * math.sin(t), z)
-        parts.append(beam(circle(0.4 * pole, 8), (0.0, 0.0, z), end, 4))
+        c, s = math.cos(2.0 * math.pi * k / 3), math.sin(2.0 * math.pi * k / 3)
+        start, end = (0.5 * pole * c, 0.5 * pole * s, z), (reach * c, reach * s, z)
+        parts.append(beam(circle(0.4 * pole, 8), start, end, 4))
     if rng.random() < 0.5:
         parts.append(sphere(2.2 * pole, 16).moved(z=height))
     return joined(parts)

@@ -1,4 +1,4 @@
-"""Families of mechanical parts. Each function draws the parameters of one model from a generator."""
+"""Families of mechanical parts. Each function draws one model's parameters from a generator."""
 
 from __future__ import annotations
 
@@ -189,7 +189,9 @@ def bracket(rng: Random) -> Mesh:
     length, height = rng.uniform(1.0, 1.8), rng.uniform(0.9, 1.6)
     foot = _plate(rng, length, width, thickness, 2.0 * thickness)
     wall = turned(_plate(rng, height, width, thickness, 2.0 * thickness), "y", -math.pi / 2)
-    parts = [foot, wall.moved(x=thickness)]
+    # Each plate ends inside the other, so that no two faces coincide at the corner.
+    inset = 0.15 * thickness
+    parts = [foot.moved(x=inset), wall.moved(x=thickness, z=inset)]
     bead = rounded_box((1.6 * thickness, 0.98 * width, 1.6 * thickness), 0.4 * thickness, 3, 4)
     parts.append(bead.moved(thickness, 0.0, thickness))
     style = rng.choice(("plain", "one rib", "two ribs"))

@@ -1,4 +1,4 @@
-"""Writers for OFF, OBJ, PLY and STL. Coordinates have single precision, as most files in the wild."""
+"""Writers for OFF, OBJ, PLY and STL. Coordinates have single precision."""
 
 from __future__ import annotations
 

@@ -50,8 +50,11 @@ def _segments_meet(a: Point2, b: Point2, c: Point2, d: Point2) -> bool:
     return min(first) <= 0.0 <= max(first) and min(second) <= 0.0 <= max(second)
 
 
-def _bridge(points: Sequence[Point2], loop: list[int], hole: list[int], rest: list[int]) -> list[int]:
-    """Cuts from the loop to the hole and returns the one loop that runs around both."""
+def _bridge(
+    points: Sequence[Point2], loop: list[int], hole: list[int], rest: list[int]
+) -> list[int]:
+    """Cuts from the loop to the hole and returns the one loop that runs around both; rest has the
+    end points of the other holes' edges, which the cut must not cross."""
     start = max(range(len(hole)), key=lambda k: points[hole[k]][0])
     ring = hole[start:] + hole[:start]
     source = points[ring[0]]

@@ -24,9 +24,9 @@ def _strip(lower: list[int], upper: list[int]) -> list[Triangle]:
 
 
 def loft(rings: Sequence[Sequence[Point]], closed: bool = False) -> Mesh:
-    """Joins rings of equal length, each counter-clockwise seen from the side of the next one. A ring
-    of one point is a tip. An open loft is closed by its end tips or by fans about the centres of its
-    end rings; a closed one joins its last ring to its first, which makes a ring-shaped solid."""
+    """Joins rings of equal length, each counter-clockwise seen from the side of the next one. A
+    ring of one point is a tip. An open loft is closed by its end tips or by fans about the centres
+    of its end rings; a closed one joins its last ring to its first: a ring-shaped solid."""
     sections = [list(ring) for ring in rings]
     if not closed:
         for end, at in ((sections[0], 0), (sections[-1], len(sections) + 1)):
@@ -52,9 +52,9 @@ def _ring(radius: float, z: float, segments: int) -> list[Point]:
 
 
 def revolve(profile: Sequence[Point2], segments: int, closed: bool = False) -> Mesh:
-    """Turns a profile of (radius, z) about the z axis. An open profile runs upwards along the outside
-    (and on, into a hollow, if it has one); a closed one runs once around, counter-clockwise in the
-    (radius, z) plane, and makes a ring."""
+    """Turns a profile of (radius, z) about the z axis. An open profile runs upwards along the
+    outside (and on, into a hollow, if it has one); a closed one runs once around, counter-clockwise
+    in the (radius, z) plane, and makes a ring."""
     return loft([_ring(r, z, segments) for r, z in profile], closed)
 
 
@@ -67,7 +67,9 @@ def cylinder(radius: float, bottom: float, top: float, segments: int, bevel: flo
     return revolve(profile, segments)
 
 
-def tube(inner: float, outer: float, bottom: float, top: float, segments: int, bevel: float) -> Mesh:
+def tube(
+    inner: float, outer: float, bottom: float, top: float, segments: int, bevel: float
+) -> Mesh:
     """A ring of rectangular section with bevelled outer edges, about the z axis."""
     profile = [
         (inner, bottom),
@@ -88,7 +90,9 @@ def sphere(radius: float, segments: int) -> Mesh:
     return revolve([(0.0, -radius), *body, (0.0, radius)], segments)
 
 
-def extrude(outline: Sequence[Point2], height: float, holes: Sequence[Sequence[Point2]] = ()) -> Mesh:
+def extrude(
+    outline: Sequence[Point2], height: float, holes: Sequence[Sequence[Point2]] = ()
+) -> Mesh:
     """A plate between z = 0 and z = height. Outline and holes are counter-clockwise."""
     loops = [list(outline)] + [list(reversed(hole)) for hole in holes]
     points = [p for loop in loops for p in loop]
@@ -114,7 +118,7 @@ def _rounded_steps(half: float, radius: float, corner: int, middle: int) -> list
 
 
 def rounded_box(size: Point, radius: float, corner: int = 2, middle: int = 3) -> Mesh:
-    """A box about the origin with round edges; corner steps around an edge, middle steps between."""
+    """A box about the origin with round edges: corner steps around an edge, middle between."""
     half = [s / 2 for s in size]
     axes = [_rounded_steps(h, radius, corner, middle) for h in half]
     mesh = Mesh()
@@ -186,8 +190,8 @@ def sweep(
     up: Point = (0.0, 0.0, 1.0),
     scales: Sequence[float] | None = None,
 ) -> Mesh:
-    """Moves a counter-clockwise section along a path, with flat ends. The path is nowhere parallel to
-    up and bends less than the section is wide; scales, one for each point, widen the section."""
+    """Moves a counter-clockwise section along a path, with flat ends. The path is nowhere parallel
+    to up and bends less than the section is wide; scales, one for each point, widen the section."""
     return loft(_swept(section, path, up, scales or [1.0] * len(path)))
 
 
@@ -205,10 +209,9 @@ def beam(
     section: Sequence[Point2], start: Point, end: Point, steps: int, taper: float = 1.0
 ) -> Mesh:
     """A straight bar between two points whose section is taper times as wide at its end."""
-    path = [
-        tuple(start[i] + (end[i] - start[i]) * k / steps for i in range(3)) for k in range(steps + 1)
-    ]
-    scales = [1.0 + (taper - 1.0) * k / steps for k in range(steps + 1)]
+    shares = [k / steps for k in range(steps + 1)]
+    path = [tuple(start[i] + (end[i] - start[i]) * t for i in range(3)) for t in shares]
+    scales = [1.0 + (taper - 1.0) * t for t in shares]
     along = [abs(end[i] - start[i]) for i in range(3)]
     up = (0.0, 1.0, 0.0) if along[2] == max(along) else (0.0, 0.0, 1.0)
     return sweep(section, path, up, scales)

@@ -1,0 +1,1 @@
+"""Fetching public shape collections and laying them out as one folder for each class."""
