@@ -24,8 +24,8 @@ std::span<const std::string_view> mesh_file_extensions();
 bool has_mesh_extension(const std::filesystem::path& path);
 
 /// Reads a mesh of any format of mesh_file_extensions() and cleans it: polygons are triangulated,
-/// exact duplicate vertices welded, degenerate faces and faces with bad indices dropped and counted,
-/// a mesh inverted as a whole is turned outward (the statistics still say `inverted`).
+/// exact duplicate vertices welded, degenerate faces and faces with bad indices dropped and
+/// counted, a mesh inverted as a whole is turned outward (the statistics still say `inverted`).
 /// Memory stays proportional to the size of the file, whatever the file claims.
 /// @throws IoError if the file is missing, a directory or unreadable
 /// @throws InvalidInput if the content is no usable mesh; the message gives the reason without the

@@ -1,0 +1,72 @@
+#include "features/shape_io/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "features/core/errors.h"
+#include "features/shape_io/clean_mesh.h"
+#include "features/shape_io/input_file.h"
+#include "features/shape_io/openmesh_reader.h"
+#include "features/shape_io/plain_file.h"
+#include "features/shape_io/text_cursor.h"
+
+namespace mdbd {
+namespace {
+
+using MakePlain = PlainFile (*)(std::string_view bytes);
+
+// In the order of the functions below.
+constexpr std::array<std::string_view, 4> extensions = {".off", ".obj", ".ply", ".stl"};
+constexpr std::array<MakePlain, 4> make_plain = {plain_off, plain_obj, plain_ply, plain_stl};
+
+std::size_t format_of(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  const auto* found = std::ranges::find_if(
+      extensions, [&](std::string_view known) { return equals_ignoring_case(known, extension); });
+  return static_cast<std::size_t>(found - extensions.begin());
+}
+
+PolygonMesh read_polygons(const std::filesystem::path& path, std::size_t format) {
+  const std::string bytes = read_input_file(path);
+  if (bytes.find_first_not_of(" \t\r\n\v\f") == bytes.npos) {
+    throw InvalidInput("the file is empty but for blanks");
+  }
+  return read_with_openmesh(make_plain[format](bytes));
+}
+
+void add_dropped(const MeshStatistics& dropped, MeshStatistics& statistics) {
+  statistics.polygons_triangulated = dropped.polygons_triangulated;
+  statistics.vertices_welded = dropped.vertices_welded;
+  statistics.vertices_unused = dropped.vertices_unused;
+  statistics.faces_degenerate = dropped.faces_degenerate;
+  statistics.faces_invalid = dropped.faces_invalid;
+}
+
+}  // namespace
+
+std::span<const std::string_view> mesh_file_extensions() { return extensions; }
+
+bool has_mesh_extension(const std::filesystem::path& path) {
+  return format_of(path) < extensions.size();
+}
+
+MeshFile read_mesh(const std::filesystem::path& path) {
+  const std::size_t format = format_of(path);
+  if (format == extensions.size()) {
+    throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
+  }
+  CleanedMesh cleaned = clean_mesh(read_polygons(path, format));
+
+  MeshFile file;
+  file.format = extensions[format].substr(1);
+  file.statistics = measure_statistics(cleaned.mesh);
+  add_dropped(cleaned.dropped, file.statistics);
+  file.mesh = std::move(cleaned.mesh);
+  if (file.statistics.orientation == Orientation::inverted) {
+    for (Triangle& triangle : file.mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return file;
+}
+
+}  // namespace mdbd
