@@ -58,36 +58,42 @@ bool has_area(const std::vector<Eigen::Vector3d>& vertices, const Triangle& tria
   return first.cross(second).norm() > flat * first.norm() * second.norm();
 }
 
-/// Collects the triangles of the faces that are sound.
+/// Collects the triangles of the faces that are sound, be they flat.
 class FaceCollector {
  public:
-  FaceCollector(const WeldedVertices& welded, MeshStatistics& dropped)
-      : welded_(welded), dropped_(dropped) {}
+  explicit FaceCollector(const WeldedVertices& welded) : welded_(welded) {}
 
   void add(std::span<const std::uint32_t> face) {
     const auto is_bad = [&](std::uint32_t index) { return index >= welded_.index_of.size(); };
     if (std::ranges::any_of(face, is_bad)) {
-      ++dropped_.faces_invalid;
+      ++invalid_;
       return;
     }
-    if (face.size() > 3) ++dropped_.polygons_triangulated;
+    if (face.size() > 3) ++polygons_;
     take_corners(face);
     candidates_.clear();
     if (corners_.size() >= 3) {
       triangulator_.triangulate(welded_.vertices, corners_, candidates_);
     } else {
-      ++dropped_.faces_degenerate;
+      ++degenerate_;
     }
     for (const Triangle& triangle : candidates_) {
-      if (has_area(welded_.vertices, triangle)) {
+      const auto [a, b, c] = triangle;
+      if (a != b && b != c && c != a) {
         triangles_.push_back(triangle);
       } else {
-        ++dropped_.faces_degenerate;
+        ++degenerate_;
       }
     }
   }
 
   std::vector<Triangle> take_triangles() { return std::move(triangles_); }
+
+  void write_counts(MeshStatistics& statistics) const {
+    statistics.polygons_triangulated = polygons_;
+    statistics.faces_degenerate = degenerate_;
+    statistics.faces_invalid = invalid_;
+  }
 
  private:
   // The welded corners, without those that repeat the one before.
@@ -99,52 +105,58 @@ class FaceCollector {
   }
 
   const WeldedVertices& welded_;
-  MeshStatistics& dropped_;
   PolygonTriangulator triangulator_;
   std::vector<std::uint32_t> corners_;
   std::vector<Triangle> candidates_;
   std::vector<Triangle> triangles_;
+  std::uint64_t polygons_ = 0;
+  std::uint64_t degenerate_ = 0;
+  std::uint64_t invalid_ = 0;
 };
 
-// Only the vertices that a triangle uses, in their order.
-TriangleMesh without_unused(const std::vector<Eigen::Vector3d>& vertices,
-                            std::vector<Triangle> triangles) {
-  std::vector<std::uint32_t> new_index(vertices.size(), unused);
-  for (const Triangle& triangle : triangles) {
+// Returns how many there were. The others keep their order.
+std::uint64_t drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), unused);
+  for (const Triangle& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) new_index[corner] = 0;
   }
-  TriangleMesh mesh;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     if (new_index[i] == unused) continue;
-    new_index[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back(vertices[i]);
+    mesh.vertices[kept] = mesh.vertices[i];
+    new_index[i] = kept++;
   }
-  for (Triangle& triangle : triangles) {
+  const std::uint64_t dropped = mesh.vertices.size() - kept;
+  mesh.vertices.resize(kept);
+  for (Triangle& triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) corner = new_index[corner];
   }
-  mesh.triangles = std::move(triangles);
-  return mesh;
+  return dropped;
 }
 
 }  // namespace
 
 CleanedMesh clean_mesh(const PolygonMesh& polygons) {
-  CleanedMesh cleaned;
-  MeshStatistics& dropped = cleaned.dropped;
-  const WeldedVertices welded = weld(polygons.vertices);
-  dropped.vertices_welded = polygons.file_vertices - welded.vertices.size();
-  dropped.faces_degenerate = polygons.file_faces - polygons.face_count();
-
-  FaceCollector collector(welded, dropped);
+  WeldedVertices welded = weld(polygons.vertices);
+  FaceCollector collector(welded);
   for (std::size_t i = 0; i < polygons.face_count(); ++i) collector.add(polygons.face(i));
-  cleaned.mesh = without_unused(welded.vertices, collector.take_triangles());
-  dropped.vertices_unused = welded.vertices.size() - cleaned.mesh.vertices.size();
-  if (cleaned.mesh.triangles.empty()) {
-    throw InvalidInput("no face can be used: " + std::to_string(dropped.faces_degenerate) +
-                       " without area, " + std::to_string(dropped.faces_invalid) +
+  TriangleMesh mesh = {std::move(welded.vertices), collector.take_triangles()};
+  MeshStatistics statistics = measure_statistics(mesh);
+  collector.write_counts(statistics);
+
+  statistics.faces_degenerate += polygons.file_faces - polygons.face_count();
+  statistics.faces_degenerate += std::erase_if(
+      mesh.triangles, [&](const Triangle& triangle) { return !has_area(mesh.vertices, triangle); });
+  if (mesh.triangles.empty()) {
+    throw InvalidInput("no face can be used: " + std::to_string(statistics.faces_degenerate) +
+                       " without area, " + std::to_string(statistics.faces_invalid) +
                        " with an index outside the vertex list");
   }
-  return cleaned;
+  statistics.vertices_welded = polygons.file_vertices - mesh.vertices.size();
+  statistics.vertices_unused = drop_unused_vertices(mesh);
+  statistics.vertices = mesh.vertices.size();
+  statistics.faces = mesh.triangles.size();
+  return {std::move(mesh), statistics};
 }
 
 }  // namespace mdbd

@@ -15,7 +15,8 @@ enum class Orientation {
   mixed      ///< some neighbours disagree
 };
 
-/// What a mesh is like and what reading it dropped: the record of a model.
+/// What a mesh is like and what reading it dropped: the record of a model. Edges, components and
+/// orientation are those of the file's surface with its faces of no area, which may close it.
 struct MeshStatistics {
   std::uint64_t vertices = 0;            ///< after welding, used by at least one face
   std::uint64_t faces = 0;               ///< triangles kept

@@ -35,14 +35,6 @@ PolygonMesh read_polygons(const std::filesystem::path& path, std::size_t format)
   return read_with_openmesh(make_plain[format](bytes));
 }
 
-void add_dropped(const MeshStatistics& dropped, MeshStatistics& statistics) {
-  statistics.polygons_triangulated = dropped.polygons_triangulated;
-  statistics.vertices_welded = dropped.vertices_welded;
-  statistics.vertices_unused = dropped.vertices_unused;
-  statistics.faces_degenerate = dropped.faces_degenerate;
-  statistics.faces_invalid = dropped.faces_invalid;
-}
-
 }  // namespace
 
 std::span<const std::string_view> mesh_file_extensions() { return extensions; }
@@ -60,8 +52,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 
   MeshFile file;
   file.format = extensions[format].substr(1);
-  file.statistics = measure_statistics(cleaned.mesh);
-  add_dropped(cleaned.dropped, file.statistics);
+  file.statistics = cleaned.statistics;
   file.mesh = std::move(cleaned.mesh);
   if (file.statistics.orientation == Orientation::inverted) {
     for (Triangle& triangle : file.mesh.triangles) std::swap(triangle[1], triangle[2]);
