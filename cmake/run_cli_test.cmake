@@ -1,0 +1,31 @@
+# Runs one command and checks it; see cli_test.cmake, which calls this with cmake -P.
+set(command)
+foreach(index RANGE ${CMAKE_ARGC})
+  if(DEFINED is_command)
+    list(APPEND command "${CMAKE_ARGV${index}}")
+  elseif("${CMAKE_ARGV${index}}" STREQUAL "--")
+    set(is_command TRUE)
+  endif()
+endforeach()
+
+file(REMOVE_RECURSE "${DIRECTORY}")
+file(MAKE_DIRECTORY "${DIRECTORY}")
+if(FILES)
+  file(COPY ${FILES} DESTINATION "${DIRECTORY}")
+endif()
+if(SETUP)
+  execute_process(COMMAND sh -c "${SETUP}" WORKING_DIRECTORY "${DIRECTORY}"
+                  COMMAND_ERROR_IS_FATAL ANY)
+endif()
+
+execute_process(COMMAND ${command} WORKING_DIRECTORY "${DIRECTORY}"
+                RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+message("${output}${errors}")
+if(NOT code STREQUAL EXIT)
+  message(FATAL_ERROR "exit code ${code}, expected ${EXIT}")
+endif()
+foreach(expression IN LISTS REGEXP)
+  if(NOT "${output}${errors}" MATCHES "${expression}")
+    message(FATAL_ERROR "the output does not match \"${expression}\"")
+  endif()
+endforeach()
