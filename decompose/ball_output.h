@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "decompose/decompose_model.h"
+
+namespace mdbd {
+
+/// The forms in which a decomposition is written.
+enum class BallFormat {
+  csv,   ///< a header line x,y,z,r and a line a ball
+  xyzr,  ///< a line a ball, separated by spaces, without a header
+  json   ///< with the evidence: see format_json
+};
+
+/// The format that the ending of a path stands for, in upper or lower case; none if it is unknown.
+std::optional<BallFormat> ball_format_of(const std::filesystem::path& path);
+
+/// Numbers are written in the shortest form that reads back to the same bits. Object units.
+std::string format_csv(const BallDecomposition& decomposition);
+std::string format_xyzr(const BallDecomposition& decomposition);
+
+/// {"model", "representation", "statistics", "scale", "termination", "balls": [[x, y, z, r], …],
+/// "upper_bounds", "contacts": [[i, j], …] with i < j counted from 0, "certificate", "cost",
+/// "recipe"}. Bytes of the path that are no UTF-8 become U+FFFD.
+std::string format_json(const DecomposedModel& model);
+
+std::string format_balls(const DecomposedModel& model, BallFormat format);
+
+/// Writes a file as a whole or not at all: beside its place first, then renamed. A symbolic link is
+/// followed.
+/// @throws IoError naming the path and the reason
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace mdbd

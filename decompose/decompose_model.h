@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "features/core/recipe.h"
+#include "features/decomposition/ball_decomposition.h"
+#include "features/decomposition/certificate.h"
+#include "features/descriptor/contact_graph.h"
+
+namespace mdbd {
+
+/// The decomposition of a file with its evidence.
+struct DecomposedModel {
+  std::string path;
+  std::string representation;  ///< "mesh"
+  std::string statistics;      ///< a JSON object: what was read and what was done to it
+  Recipe recipe;
+  BallDecomposition decomposition;
+  ContactGraph contacts;
+  Certificate certificate;
+};
+
+/// Reads a shape and decomposes it.
+/// @throws IoError or InvalidInput, with the path in front of the reason, if the file cannot be
+/// read,
+///         is no usable shape or encloses no ball
+DecomposedModel decompose_model(const std::filesystem::path& path, const Recipe& recipe);
+
+/// Why there are fewer balls than the recipe asks for, for people; empty if there are not.
+std::string explain_shortage(const DecomposedModel& model);
+
+}  // namespace mdbd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "query/exact_search.h"
+#include "store/shape_store.h"
+
+namespace mdbd {
+
+/// A query by the path it is known by, with its answer.
+struct QueryAnswer {
+  std::string query;  ///< the path of the file or of the indexed model
+  SearchResult result;
+};
+
+/// The models of a collection that look most like a shape file. The file is described by the recipe
+/// of the collection, so that an indexed file finds itself at distance 0.
+/// @throws IoError or InvalidInput, with the path in front of the reason, if the file cannot be
+/// used
+/// @throws StoreError if the collection cannot be read
+QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
+                          std::size_t count);
+
+/// The models of a collection that look most like one of its own, which is among them. Needs no
+/// file: the vector is the stored one.
+/// @throws InvalidInput if there is no such model or it failed when it was indexed
+/// @throws StoreError if the collection cannot be read
+QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, std::size_t count);
+
+}  // namespace mdbd

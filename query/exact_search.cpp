@@ -1,0 +1,139 @@
+#include "query/exact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "features/core/errors.h"
+
+namespace mdbd {
+namespace {
+
+double norm(std::span<const float> values) {
+  double sum = 0.0;
+  for (const float value : values) sum += static_cast<double>(value) * value;
+  return std::sqrt(sum);
+}
+
+// The k smallest of the numbers added, of which the largest is asked for.
+class SmallestTotals {
+ public:
+  explicit SmallestTotals(std::size_t k) : k_(k) {}
+
+  void add(double total) {
+    totals_.push(total);
+    if (totals_.size() > k_) totals_.pop();
+  }
+
+  double kth() const {
+    return totals_.size() < k_ ? std::numeric_limits<double>::infinity() : totals_.top();
+  }
+
+ private:
+  std::size_t k_;
+  std::priority_queue<double> totals_;
+};
+
+}  // namespace
+
+struct ExactSearch::Candidate {
+  std::size_t row;
+  SimilarityDistance distance;
+};
+
+ExactSearch::ExactSearch(std::vector<StoredVector> collection, int radius_count, double walk_weight)
+    : collection_(std::move(collection)),
+      radius_count_(radius_count),
+      walk_weight_(walk_weight),
+      neighbours_(index_collection()) {
+  for (const StoredVector& vector : collection_) {
+    largest_norm_ = std::max(largest_norm_, norm(weighted(vector.values)));
+  }
+}
+
+NearestNeighbours ExactSearch::index_collection() const {
+  const std::size_t dimension = collection_.empty() ? 1 : collection_.front().values.size();
+  std::vector<float> values;
+  values.reserve(collection_.size() * dimension);
+  for (const StoredVector& vector : collection_) {
+    if (vector.values.size() != dimension ||
+        vector.values.size() < static_cast<std::size_t>(radius_count_)) {
+      throw InvalidInput(vector.path + ": its vector has " + std::to_string(vector.values.size()) +
+                         " numbers, which does not fit the collection");
+    }
+    const std::vector<float> row = weighted(vector.values);
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return {std::move(values), dimension};
+}
+
+std::vector<float> ExactSearch::weighted(std::span<const float> values) const {
+  std::vector<float> result(values.begin(), values.end());
+  for (std::size_t i = static_cast<std::size_t>(radius_count_); i < result.size(); ++i) {
+    result[i] = static_cast<float>(walk_weight_ * result[i]);
+  }
+  return result;
+}
+
+// What the similarity distance of a vector at this L2 is at least, rounding considered. L2 is a sum
+// of squares in single precision: its relative error is below half of `relative`. Weighting rounds
+// each vector by at most half an epsilon of its norm, whatever their difference is.
+double ExactSearch::lower_bound(double euclidean_distance, double query_norm) const {
+  constexpr double epsilon = std::numeric_limits<float>::epsilon();
+  const double relative = epsilon * static_cast<double>(collection_.front().values.size() + 8);
+  return euclidean_distance * (1.0 - relative) - epsilon * (query_norm + largest_norm_);
+}
+
+SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) const {
+  if (k == 0) throw InvalidInput("the number of matches asked for must be at least 1");
+  SearchResult result;
+  result.collection_size = collection_.size();
+  result.exact = collection_.empty();
+  const std::size_t count = std::min(k, collection_.size());
+  const std::vector<float> point = weighted(query);
+  const double query_norm = norm(point);
+  std::vector<Candidate> candidates;
+  SmallestTotals smallest(count);
+  for (std::size_t batch = count; !result.exact; batch *= 2) {
+    const std::vector<Neighbour> neighbours = neighbours_.search(point, batch);
+    for (std::size_t i = candidates.size(); i < neighbours.size() && !result.exact; ++i) {
+      // Strictly above, so that a model at the same distance is not missed: ties go by path.
+      if (lower_bound(neighbours[i].distance, query_norm) > smallest.kth()) {
+        result.exact = true;
+      } else {
+        candidates.push_back(examine(query, neighbours[i].row));
+        smallest.add(candidates.back().distance.total);
+      }
+    }
+    result.exact = result.exact || candidates.size() == collection_.size();
+  }
+  result.examined = candidates.size();
+  result.matches = best_matches(std::move(candidates), count);
+  return result;
+}
+
+ExactSearch::Candidate ExactSearch::examine(std::span<const float> query, std::size_t row) const {
+  return {row, similarity_distance(query, collection_[row].values, radius_count_, walk_weight_)};
+}
+
+std::vector<Match> ExactSearch::best_matches(std::vector<Candidate> candidates,
+                                             std::size_t count) const {
+  const auto is_better = [&](const Candidate& a, const Candidate& b) {
+    if (a.distance.total != b.distance.total) return a.distance.total < b.distance.total;
+    return collection_[a.row].path < collection_[b.row].path;
+  };
+  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
+                    candidates.end(), is_better);
+  candidates.resize(count);
+  std::vector<Match> matches;
+  matches.reserve(count);
+  for (const Candidate& candidate : candidates) {
+    const StoredVector& model = collection_[candidate.row];
+    matches.push_back({model.shape_id, model.path, model.scale, candidate.distance});
+  }
+  return matches;
+}
+
+}  // namespace mdbd

@@ -1,0 +1,74 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/options.h"
+#include "cli/program.h"
+#include "query/answer_query.h"
+#include "query/query_output.h"
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  mdbd-query chair.ply                      the ten models most like chair.ply
+  mdbd-query chair.ply --top 3 --db parts.db
+  mdbd-query --id 17 --json                 by a model of the database, for programs
+
+The answer is exact: no model of the database that is not listed is nearer.
+Exit codes: 0 done, 1 failed, 2 wrong usage.)";
+
+struct Arguments {
+  std::filesystem::path model;
+  std::filesystem::path database;
+  std::int64_t id = 0;
+  std::size_t top = 10;
+  bool is_json = false;
+  bool is_csv = false;
+};
+
+void print_note(const mdbd::SearchResult& result) {
+  if (result.collection_size == 0) {
+    fmt::print(stderr, "The database holds no models; add some with mdbd-index.\n");
+    return;
+  }
+  fmt::print(stderr, "Compared with {} model{}; the answer is {}.\n", result.collection_size,
+             result.collection_size == 1 ? "" : "s", result.exact ? "exact" : "approximate");
+}
+
+void print_answer(const mdbd::QueryAnswer& answer, const Arguments& arguments) {
+  if (arguments.is_json) {
+    fmt::print("{}", mdbd::format_json(answer));
+    return;
+  }
+  fmt::print("{}", arguments.is_csv
+                       ? mdbd::format_csv(answer.result)
+                       : mdbd::format_table(answer.result, std::filesystem::current_path()));
+  print_note(answer.result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Finds the models of a database that look most like a given one.", "mdbd-query");
+  app.footer(examples);
+  Arguments arguments;
+  auto* model = app.add_option("MODEL", arguments.model, "A shape file to search with");
+  auto* id = app.add_option("--id", arguments.id, "Search with this model of the database instead")
+                 ->excludes(model)
+                 ->type_name("N");
+  app.add_option("--top", arguments.top, "How many models to list")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  mdbd::add_database_option(app, arguments.database);
+  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object");
+  app.add_flag("--csv", arguments.is_csv, "Print CSV")->excludes(json);
+
+  return mdbd::run_program(app, argc, argv, [&] {
+    if (model->empty() && id->empty()) throw CLI::RequiredError("MODEL or --id");
+    const auto store = mdbd::open_store_read_only(arguments.database);
+    print_answer(id->empty() ? mdbd::query_by_file(*store, arguments.model, arguments.top)
+                             : mdbd::query_by_id(*store, arguments.id, arguments.top),
+                 arguments);
+    return mdbd::ExitCode::done;
+  });
+}

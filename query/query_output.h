@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "query/answer_query.h"
+
+namespace mdbd {
+
+/// A table of rank, distance and path for people, one line a match below a header line; empty if
+/// there are no matches. Paths below `directory` are shown relative to it. Every path is shown on
+/// one line, as printable() does.
+std::string format_table(const SearchResult& result, const std::filesystem::path& directory);
+
+/// {"query", "exact", "matches": [{"rank", "id", "path", "distance", "radii_distance",
+/// "walk_distance", "scale"}]}, with a line end. Bytes of a path that are no UTF-8 become U+FFFD.
+std::string format_json(const QueryAnswer& answer);
+
+/// The fields of a match in format_json as CSV (RFC 4180 with plain line feeds) below a header
+/// line. Numbers read back to the same bits; paths keep their bytes.
+std::string format_csv(const SearchResult& result);
+
+}  // namespace mdbd
