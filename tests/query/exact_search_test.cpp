@@ -1,0 +1,146 @@
+#include "query/exact_search.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "features/core/errors.h"
+
+using mdbd::ExactSearch;
+using mdbd::InvalidInput;
+using mdbd::Match;
+using mdbd::SearchResult;
+using mdbd::StoredVector;
+
+namespace {
+
+constexpr int radius_count = 6;
+constexpr std::size_t dimension = 10;
+
+// Clusters of different tightness with exact duplicates, in an order that is not that of the paths.
+std::vector<StoredVector> make_collection(std::size_t size, std::mt19937& generator) {
+  std::uniform_real_distribution<float> anywhere(0.0F, 1.0F);
+  std::vector<StoredVector> collection;
+  for (std::size_t i = 0; i < size; ++i) {
+    StoredVector vector{.shape_id = static_cast<std::int64_t>(i + 1),
+                        .path = "/models/" + std::to_string(generator()) + ".off",
+                        .scale = 1.0 + static_cast<double>(i),
+                        .values = std::vector<float>(dimension)};
+    const bool is_near_another = i > 0 && anywhere(generator) < 0.8F;
+    if (is_near_another) vector.values = collection[generator() % i].values;
+    const float spread = is_near_another ? std::array{0.0F, 1e-6F, 1e-2F}[generator() % 3] : 1.0F;
+    for (float& value : vector.values) value += spread * anywhere(generator);
+    collection.push_back(std::move(vector));
+  }
+  return collection;
+}
+
+std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
+                               std::span<const float> query, std::size_t k, double walk_weight) {
+  std::vector<Match> matches;
+  for (const StoredVector& vector : collection) {
+    matches.push_back({vector.shape_id, vector.path, vector.scale,
+                       mdbd::similarity_distance(query, vector.values, radius_count, walk_weight)});
+  }
+  std::ranges::sort(matches, [](const Match& a, const Match& b) {
+    return std::pair(a.distance.total, a.path) < std::pair(b.distance.total, b.path);
+  });
+  matches.resize(std::min(k, matches.size()));
+  return matches;
+}
+
+void check_equal(const SearchResult& result, const std::vector<Match>& expected) {
+  REQUIRE(result.matches.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Match& match = result.matches[i];
+    CHECK(match.id == expected[i].id);
+    CHECK(match.path == expected[i].path);
+    CHECK(match.scale == expected[i].scale);
+    CHECK(match.distance.total == expected[i].distance.total);
+    CHECK(match.distance.radii == expected[i].distance.radii);
+    CHECK(match.distance.walk == expected[i].distance.walk);
+  }
+}
+
+std::vector<StoredVector> models(
+    const std::vector<std::pair<std::string, std::vector<float>>>& of) {
+  std::vector<StoredVector> collection;
+  for (const auto& [path, values] : of) {
+    collection.push_back({static_cast<std::int64_t>(collection.size()) + 1, path, 1.0, values});
+  }
+  return collection;
+}
+
+}  // namespace
+
+TEST_CASE("the answer is that of a brute-force search, ties included") {
+  const double walk_weight = GENERATE(0.0, 0.5, 1.0, 3.0, 1.0 / 3.0);
+  const std::size_t size = GENERATE(0U, 1U, 2U, 500U);
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    std::mt19937 generator(seed);
+    const std::vector<StoredVector> collection = make_collection(size, generator);
+    const std::vector<StoredVector> outside = make_collection(1, generator);
+    const ExactSearch search(collection, radius_count, walk_weight);
+    const bool is_member = seed % 2 == 1 && size > 0;
+    const std::vector<float>& query =
+        is_member ? collection[generator() % size].values : outside[0].values;
+    for (const std::size_t k :
+         {std::size_t{1}, std::size_t{5}, std::max<std::size_t>(size, 1), size + 10}) {
+      INFO("alpha " << walk_weight << ", size " << size << ", seed " << seed << ", k " << k);
+      const SearchResult result = search.search(query, k);
+      check_equal(result, brute_force(collection, query, k, walk_weight));
+      CHECK(result.exact);
+      CHECK(result.collection_size == size);
+      CHECK(result.examined >= result.matches.size());
+      CHECK(result.examined <= size);
+    }
+  }
+}
+
+TEST_CASE("the certificate spares most of a collection") {
+  std::mt19937 generator(7);
+  const std::vector<StoredVector> collection = make_collection(500, generator);
+  const SearchResult result =
+      ExactSearch(collection, radius_count, 1.0).search(collection[0].values, 1);
+  CHECK(result.exact);
+  CHECK(result.examined < 100);
+}
+
+TEST_CASE("the order is that of the similarity distance where L2 has another one") {
+  // L2: corner 1.13, axis 1.2. Similarity distance: corner 1.6, axis 1.2.
+  const ExactSearch search(models({{"corner", {0.8F, 0.8F}}, {"axis", {1.2F, 0.0F}}}), 1, 1.0);
+  const SearchResult result = search.search(std::vector{0.0F, 0.0F}, 1);
+  REQUIRE(result.matches.size() == 1);
+  CHECK(result.matches[0].path == "axis");
+}
+
+TEST_CASE("equal distances are ordered by path, also where only one is asked for") {
+  const ExactSearch search(models({{"c", {1.0F}}, {"a", {-1.0F}}, {"b", {1.0F}}}), 1, 1.0);
+  CHECK(search.search(std::vector{0.0F}, 1).matches.at(0).path == "a");
+  CHECK(search.search(std::vector{0.0F}, 2).matches.at(1).path == "b");
+}
+
+TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near model") {
+  // The walk parts are large beside their differences, so that weighting by 1/3 rounds them.
+  std::mt19937 generator(3);
+  std::vector<StoredVector> collection = make_collection(200, generator);
+  for (StoredVector& vector : collection) {
+    vector.values.assign(dimension, 0.0F);
+    vector.values[dimension - 1] = 1000.0F + static_cast<float>(generator() % 64) * 6.1e-5F;
+  }
+  const ExactSearch search(collection, radius_count, 1.0 / 3.0);
+  for (const StoredVector& query : collection) {
+    check_equal(search.search(query.values, 5),
+                brute_force(collection, query.values, 5, 1.0 / 3.0));
+  }
+}
+
+TEST_CASE("what does not fit is refused") {
+  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F, 2.0F}}, {"b", {1.0F}}}), 1, 1.0), InvalidInput);
+  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F}}}), 2, 1.0), InvalidInput);
+  const ExactSearch search(models({{"a", {1.0F, 2.0F}}}), 1, 1.0);
+  CHECK_THROWS_AS(search.search(std::vector{1.0F}, 1), InvalidInput);
+  CHECK_THROWS_AS(search.search(std::vector{1.0F, 2.0F}, 0), InvalidInput);
+}

@@ -1,0 +1,75 @@
+#include "query/query_output.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using Catch::Matchers::Contains;
+using mdbd::format_csv;
+using mdbd::format_json;
+using mdbd::format_table;
+using mdbd::SearchResult;
+
+namespace {
+
+SearchResult example() {
+  SearchResult result;
+  result.exact = true;
+  result.collection_size = 3;
+  result.matches = {{7, "/models/chair/a.off", 2.5, {0.1, 0.2, 0.1 + 0.2}},
+                    {9, "/other/table, \"big\".obj", 1.0, {1.0, 0.0, 1.0}}};
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the table shows paths below the folder relative to it") {
+  const std::string table = format_table(example(), "/models");
+  CHECK_THAT(table, Contains("   1   0.300000  chair/a.off\n"));
+  CHECK_THAT(table, Contains("   2   1.000000  /other/table, \"big\".obj\n"));
+  CHECK_THAT(format_table(example(), "/mod"), Contains("  /models/chair/a.off\n"));
+  CHECK(format_table({}, "/").empty());
+}
+
+TEST_CASE("the table has one line a match, whatever a file is called") {
+  SearchResult result = example();
+  result.matches[0].path = "/models/two\nlines\x1b[2J";
+  const std::string table = format_table(result, "/");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 3);
+  CHECK(table.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("JSON holds every field and reads back to the same numbers") {
+  const auto document = nlohmann::json::parse(format_json({"chair.ply", example()}));
+  CHECK(document["query"] == "chair.ply");
+  CHECK(document["exact"] == true);
+  REQUIRE(document["matches"].size() == 2);
+  CHECK(document["matches"][0] == nlohmann::json{{"rank", 1},
+                                                 {"id", 7},
+                                                 {"path", "/models/chair/a.off"},
+                                                 {"distance", 0.1 + 0.2},
+                                                 {"radii_distance", 0.1},
+                                                 {"walk_distance", 0.2},
+                                                 {"scale", 2.5}});
+  CHECK(document["matches"][1]["rank"] == 2);
+}
+
+TEST_CASE("JSON of an empty answer has an empty list") {
+  CHECK(nlohmann::json::parse(format_json({"q", {}}))["matches"] == nlohmann::json::array());
+}
+
+TEST_CASE("names that are no UTF-8 become JSON all the same") {
+  SearchResult result = example();
+  result.matches[0].path = "/models/caf\xe9.off";
+  const auto document = nlohmann::json::parse(format_json({"caf\xe9.off", result}));
+  CHECK(document["query"] == "caf\xef\xbf\xbd.off");
+  CHECK(document["matches"][0]["path"] == "/models/caf\xef\xbf\xbd.off");
+}
+
+TEST_CASE("CSV quotes what needs it") {
+  CHECK(format_csv(example()) ==
+        "rank,id,path,distance,radii_distance,walk_distance,scale\n"
+        "1,7,/models/chair/a.off,0.30000000000000004,0.1,0.2,2.5\n"
+        "2,9,\"/other/table, \"\"big\"\".obj\",1,1,0,1\n");
+}
