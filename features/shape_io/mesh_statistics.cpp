@@ -102,7 +102,9 @@ void count_components(const TriangleMesh& mesh, MeshStatistics& statistics) {
 bool encloses_negative_volume(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return false;
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) box.extend(mesh.vertices[corner]);
+  }
   const Eigen::Vector3d middle = box.center();
   const double scale = box.sizes().maxCoeff();
   if (scale == 0.0) return false;
