@@ -94,7 +94,10 @@ bool PolygonTriangulator::is_ear(std::size_t corner) const {
   const std::size_t before = previous_[corner];
   const std::size_t after = next_[corner];
   if (turn(before, corner, after) <= 0) return false;
+  Eigen::AlignedBox2d box(points_[before]);
+  box.extend(points_[corner]).extend(points_[after]);
   for (std::size_t i = next_[after]; i != before; i = next_[i]) {
+    if (!box.contains(points_[i])) continue;  // most of them
     const bool is_inside =
         turn(before, corner, i) >= 0 && turn(corner, after, i) >= 0 && turn(after, before, i) >= 0;
     if (is_inside && points_[i] != points_[before] && points_[i] != points_[corner] &&

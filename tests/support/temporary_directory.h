@@ -31,10 +31,11 @@ class TemporaryDirectory {
   /// Where an entry of this name would be.
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-  /// Writes a file, with the folders above it, and returns its path.
+  /// Writes a file, with the folders above it, in place of any there, and returns its path.
   std::filesystem::path write(std::string_view name, std::string_view content) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
+    std::filesystem::remove(file);  // overwriting makes some file systems wait for the disk
     std::ofstream stream(file, std::ios::binary);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
