@@ -7,12 +7,5 @@ find_package(SQLite3 3.40 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
-# FLANN's own package files pull in HDF5 and MPI, which its templates do not need.
-find_path(FLANN_INCLUDE_DIR flann/flann.hpp REQUIRED)
-find_library(FLANN_LIBRARY flann_cpp REQUIRED)
-find_library(LZ4_LIBRARY lz4 REQUIRED)
-add_library(mdbd_flann INTERFACE IMPORTED)
-target_include_directories(mdbd_flann SYSTEM INTERFACE ${FLANN_INCLUDE_DIR})
-target_link_libraries(mdbd_flann INTERFACE ${FLANN_LIBRARY} ${LZ4_LIBRARY})
-
+include(${CMAKE_CURRENT_LIST_DIR}/flann.cmake)
 find_package(OpenMesh REQUIRED)

@@ -1,0 +1,22 @@
+# Installs the libraries with their headers and the package that find_package(mdbd) finds. The
+# programs install themselves (mdbd_program).
+include(CMakePackageConfigHelpers)
+
+set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/mdbd)
+
+install(TARGETS mdbd_core mdbd_features mdbd_store mdbd_query EXPORT mdbd
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY features store query DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mdbd
+  FILES_MATCHING PATTERN "*.h" PATTERN query_output.h EXCLUDE)
+
+install(EXPORT mdbd NAMESPACE mdbd:: FILE mdbd-targets.cmake DESTINATION ${package_directory})
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/mdbd-config.cmake.in ${PROJECT_BINARY_DIR}/mdbd-config.cmake
+  INSTALL_DESTINATION ${package_directory})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/mdbd-config.cmake
+  ${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/flann.cmake
+  DESTINATION ${package_directory})

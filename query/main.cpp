@@ -1,3 +1,5 @@
+#include <cstdio>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -42,6 +44,7 @@ void print_answer(const mdbd::QueryAnswer& answer, const Arguments& arguments) {
   fmt::print("{}", arguments.is_csv
                        ? mdbd::format_csv(answer.result)
                        : mdbd::format_table(answer.result, std::filesystem::current_path()));
+  std::fflush(stdout);  // so that the note follows the answer where both go to one place
   print_note(answer.result);
 }
 

@@ -1,0 +1,32 @@
+# mdbd-decompose from the outside.
+set(cube ${PROJECT_SOURCE_DIR}/tests/query/models/boxes/cube.off)
+set(damaged ${PROJECT_SOURCE_DIR}/tests/query/models/other/damaged.off)
+set(number "-?[0-9.]+(e-?[0-9]+)?")
+
+mdbd_cli_test(NAME decompose/csv COMMAND mdbd-decompose ${cube} --balls 9
+  REGEXP "^x,y,z,r\n${number},${number},${number},0\\.(5|50*1|49999[0-9]*)\n(${number},${number},${number},0\\.13397[0-9]*\n)+$")
+mdbd_cli_test(NAME decompose/xyzr COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 -o balls.XYZR && cat balls.XYZR"
+  REGEXP "^${number} ${number} ${number} ${number}\n$")
+mdbd_cli_test(NAME decompose/json COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 9 --tolerance 0.01 -o balls.json && cat balls.json"
+  REGEXP "^{" "\"contacts\":..0,1.," "\"certificate\":{\"containment_violation\"" "\"radius_tolerance\":0\\.01" "\"faces\":12" "}\n$")
+mdbd_cli_test(NAME decompose/nothing_beside_the_output COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 -o balls.csv && ls -A"
+  REGEXP "^balls\\.csv\n$")
+mdbd_cli_test(NAME decompose/unknown_ending COMMAND mdbd-decompose ${cube} -o balls.txt EXIT 2
+  REGEXP "balls\\.txt: the ending must be \\.csv, \\.xyzr or \\.json")
+mdbd_cli_test(NAME decompose/unwritable COMMAND mdbd-decompose ${cube} --balls 1 -o none/balls.csv EXIT 1
+  REGEXP "^mdbd-decompose: error: cannot write none/balls\\.csv: No such file")
+mdbd_cli_test(NAME decompose/damaged_file COMMAND mdbd-decompose ${damaged} EXIT 1
+  REGEXP "^mdbd-decompose: error: [^\n]*damaged\\.off: [^\n]+\n$")
+mdbd_cli_test(NAME decompose/missing_file COMMAND mdbd-decompose none.off EXIT 1
+  REGEXP "^mdbd-decompose: error: none\\.off: [^\n]+\n$")
+mdbd_cli_test(NAME decompose/sheet COMMAND mdbd-decompose triangle.off EXIT 1
+  SETUP "printf 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n' > triangle.off"
+  REGEXP "^mdbd-decompose: error: triangle\\.off: [^\n]+\n$")
+mdbd_cli_test(NAME decompose/no_model COMMAND mdbd-decompose EXIT 2 REGEXP "MODEL is required")
+mdbd_cli_test(NAME decompose/no_balls COMMAND mdbd-decompose ${cube} --balls 0 EXIT 2
+  REGEXP "balls must be from 1")
+mdbd_cli_test(NAME decompose/tolerance_too_large COMMAND mdbd-decompose ${cube} --tolerance 1 EXIT 2
+  REGEXP "radius tolerance must be")
+mdbd_cli_test(NAME decompose/help COMMAND mdbd-decompose --help REGEXP "Usage" "Examples" "--tolerance")
+mdbd_cli_test(NAME decompose/version COMMAND mdbd-decompose --version
+  REGEXP "^mdbd-decompose ${PROJECT_VERSION}\n$")

@@ -1,0 +1,69 @@
+# mdbd-query from the outside: a collection of three models and one that could not be read.
+set(models ${CMAKE_CURRENT_SOURCE_DIR}/models)
+set(database ${CMAKE_CURRENT_BINARY_DIR}/cli_tests/query/collection/models.db)
+set(empty_database ${CMAKE_CURRENT_BINARY_DIR}/cli_tests/query/empty_collection/empty.db)
+
+mdbd_cli_test(NAME query/collection EXIT 3
+  COMMAND mdbd-index ${models} --db @DIR@/models.db --balls 20)
+mdbd_cli_test(NAME query/empty_collection SETUP "mkdir empty"
+  COMMAND mdbd-index empty --db @DIR@/empty.db)
+set_tests_properties(cli/query/collection PROPERTIES FIXTURES_SETUP mdbd_query_collection)
+set_tests_properties(cli/query/empty_collection PROPERTIES FIXTURES_SETUP mdbd_query_empty)
+
+# One test with the collection (or, as FIXTURE, another one) at hand.
+function(query_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FIXTURE" "")
+  if(NOT arg_FIXTURE)
+    set(arg_FIXTURE collection)
+  endif()
+  mdbd_cli_test(NAME query/${name} ${arg_UNPARSED_ARGUMENTS})
+  set_tests_properties(cli/query/${name} PROPERTIES FIXTURES_REQUIRED mdbd_query_${arg_FIXTURE})
+endfunction()
+
+query_test(by_file COMMAND mdbd-query ${models}/boxes/cube.off --db ${database}
+  REGEXP "rank +distance +model\n +1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n"
+         "\n +3 [^\n]*\n" "Compared with 3 models; the answer is exact\\.")
+query_test(by_copy COMMAND mdbd-query CUBE.OFF --db ${database}
+  SETUP "cp '${models}/boxes/cube.off' CUBE.OFF" REGEXP " 1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n")
+query_test(top COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --top 1 --csv
+  REGEXP "^rank,id,path,distance,radii_distance,walk_distance,scale\n1,[0-9]+,[^\n]*/boxes/long\\.off,0,0,0,[0-9.]+\nCompared")
+query_test(json COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --top 100 --json
+  REGEXP "^{\n *\"query\": \"[^\n]*/boxes/long\\.off\",\n *\"exact\": true,\n *\"matches\": .\n" "\"rank\": 3" "}\n$")
+query_test(database_from_environment COMMAND mdbd-query --id 1 ENVIRONMENT MDBD_DB=${database}
+  REGEXP "Compared with 3 models")
+query_test(by_id COMMAND mdbd-query --id 1 --top 1 --db ${database} REGEXP " 1 +0\\.000000 ")
+query_test(unknown_id COMMAND mdbd-query --id 999 --db ${database} EXIT 1
+  REGEXP "mdbd-query: error: no model of the database has id 999")
+query_test(id_of_failed_model EXIT 1
+  COMMAND sh -c "query='$<TARGET_FILE:mdbd-query> --db ${database} --id' && \
+    $query 1 && $query 2 && $query 3 && $query 4"
+  REGEXP "damaged\\.off. could not be indexed: [^\n]")
+
+query_test(damaged_file COMMAND mdbd-query ${models}/other/damaged.off --db ${database} EXIT 1
+  REGEXP "^mdbd-query: error: [^\n]*damaged\\.off: [^\n]+\n$")
+query_test(missing_file COMMAND mdbd-query none.off --db ${database} EXIT 1
+  REGEXP "^mdbd-query: error: none\\.off: [^\n]+\n$")
+query_test(unknown_format COMMAND mdbd-query text.docx --db ${database} EXIT 1
+  SETUP "echo text > text.docx" REGEXP "^mdbd-query: error: text\\.docx: [^\n]+\n$")
+
+query_test(empty_database FIXTURE empty
+  COMMAND mdbd-query ${models}/boxes/cube.off --db ${empty_database}
+  REGEXP "^The database holds no models; add some with mdbd-index\\.\n$")
+query_test(empty_database_json FIXTURE empty
+  COMMAND mdbd-query ${models}/boxes/cube.off --db ${empty_database} --json
+  REGEXP "\"matches\": \\[\\]\n}")
+
+mdbd_cli_test(NAME query/database_missing COMMAND mdbd-query ${models}/boxes/cube.off EXIT 1
+  REGEXP "mdbd-query: error: [^\n]*mdbd\\.db" "mdbd-index")
+mdbd_cli_test(NAME query/database_foreign COMMAND mdbd-query --id 1 --db text.db EXIT 1
+  SETUP "echo 'This is no database.' > text.db" REGEXP "mdbd-query: error: text\\.db")
+mdbd_cli_test(NAME query/help COMMAND mdbd-query --help REGEXP "Usage" "Examples" "--top" "MDBD_DB")
+mdbd_cli_test(NAME query/version COMMAND mdbd-query --version
+  REGEXP "^mdbd-query ${PROJECT_VERSION}\n$")
+mdbd_cli_test(NAME query/nothing_to_search COMMAND mdbd-query EXIT 2 REGEXP "MODEL or --id")
+mdbd_cli_test(NAME query/file_and_id COMMAND mdbd-query a.off --id 1 EXIT 2 REGEXP "excludes --id")
+mdbd_cli_test(NAME query/json_and_csv COMMAND mdbd-query a.off --json --csv EXIT 2
+  REGEXP "--json excludes --csv")
+mdbd_cli_test(NAME query/top_zero COMMAND mdbd-query a.off --top 0 EXIT 2 REGEXP "--top")
+mdbd_cli_test(NAME query/id_no_number COMMAND mdbd-query --id one EXIT 2 REGEXP "--id")
+mdbd_cli_test(NAME query/unknown_option COMMAND mdbd-query a.off --nearest EXIT 2 REGEXP "--nearest")
