@@ -1,0 +1,132 @@
+#include "indexer/discover.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/stat.h>
+
+#include "features/core/errors.h"
+#include "features/shape_io/read_mesh.h"
+
+namespace fs = std::filesystem;
+
+namespace mdbd {
+namespace {
+
+std::string reason_of(int error) {
+  return fmt::format("cannot be read: {}", std::generic_category().message(error));
+}
+
+/// Why something that is neither a file nor a folder is no model.
+std::string describe_kind(mode_t mode) {
+  if (S_ISDIR(mode)) return "is a directory, not a model file";
+  if (S_ISFIFO(mode)) return "is a named pipe, not a model file";
+  if (S_ISSOCK(mode)) return "is a socket, not a model file";
+  return "is a device, not a model file";
+}
+
+std::string absolute_normal(const fs::path& path) {
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  return normal.has_filename() ? normal.string() : normal.parent_path().string();
+}
+
+/// One search; the folders still to be read are kept on a stack.
+class Search {
+ public:
+  Search() { found_.started = std::chrono::steady_clock::now(); }
+
+  void start(const std::string& root) {
+    struct stat status {};
+    if (::stat(root.c_str(), &status) != 0) {
+      const int error = errno;
+      throw IoError(fmt::format("{}: {}", root, std::generic_category().message(error)));
+    }
+    if (S_ISREG(status.st_mode) && !has_mesh_extension(root)) {
+      found_.unusable.push_back({root, fmt::format("unsupported ending; models end in {}",
+                                                   fmt::join(mesh_file_extensions(), ", "))});
+    } else if (S_ISDIR(status.st_mode)) {
+      folders_.push_back(root);
+    } else {
+      add_model(root, status);
+    }
+    while (!folders_.empty()) search_next_folder();
+  }
+
+  Discovery finish(std::vector<std::string> roots) {
+    const auto tidy = [](auto& items) {
+      std::ranges::sort(
+          items, {}, [](const auto& item) -> auto& { return item.path; });
+      const auto same = [](const auto& a, const auto& b) { return a.path == b.path; };
+      items.erase(std::unique(items.begin(), items.end(), same), items.end());
+    };
+    tidy(found_.files);
+    tidy(found_.unusable);
+    found_.roots = std::move(roots);
+    return std::move(found_);
+  }
+
+ private:
+  void search_next_folder() {
+    const std::string folder = std::move(folders_.back());
+    folders_.pop_back();
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+      const fs::path name = entry->path().filename();
+      if (name.native().front() != '.') visit(entry->path());
+    }
+    if (error) found_.unusable.push_back({folder, "folder " + reason_of(error.value())});
+  }
+
+  void visit(const fs::path& path) {
+    struct stat status {};
+    struct stat link {};
+    if (::lstat(path.c_str(), &link) != 0) return;  // gone since its folder was read
+    if (S_ISDIR(link.st_mode)) folders_.push_back(path.string());
+    if (!has_mesh_extension(path)) return;
+    if (::stat(path.c_str(), &status) == 0) {
+      add_model(path.string(), status);
+    } else {
+      const int error = errno;
+      found_.unusable.push_back(
+          {path.string(), error == ENOENT ? "is a link to nothing" : reason_of(error)});
+    }
+  }
+
+  void add_model(const std::string& path, const struct stat& status) {
+    if (!S_ISREG(status.st_mode)) {
+      found_.unusable.push_back({path, describe_kind(status.st_mode)});
+      return;
+    }
+    constexpr std::int64_t second = 1'000'000'000;
+    found_.files.push_back({path, static_cast<std::uint64_t>(status.st_size),
+                            status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});
+  }
+
+  Discovery found_;
+  std::vector<std::string> folders_;
+};
+
+}  // namespace
+
+Discovery discover(std::span<const fs::path> paths) {
+  Search search;
+  std::vector<std::string> roots;
+  for (const fs::path& path : paths) roots.push_back(absolute_normal(path));
+  std::ranges::sort(roots);
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  for (const std::string& root : roots) search.start(root);
+  return search.finish(std::move(roots));
+}
+
+bool is_within(const std::string& path, std::span<const std::string> roots) {
+  return std::ranges::any_of(roots, [&](const std::string& root) {
+    const bool ends_in_slash = root.ends_with('/');
+    return path == root || path.starts_with(ends_in_slash ? root : root + '/');
+  });
+}
+
+}  // namespace mdbd

@@ -1,0 +1,58 @@
+#include "indexer/index_arguments.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.h"
+
+namespace mdbd {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  mdbd-index models                    add all models below ./models to ./mdbd.db
+  mdbd-index models --prune            and remove those whose files are gone
+  mdbd-index parts scans --db all.db --jobs 8 --model-time 5m
+  mdbd-index models --dry-run --json   what would be done, for programs
+
+Unchanged files are passed over, so the same command continues an interrupted run. Hidden files and
+links to folders are not followed.
+Exit codes: 0 done, 1 failed or interrupted, 2 wrong usage, 3 done, but some models failed.)";
+
+template <typename Value, typename Bound>
+CLI::Option* add_number(CLI::App& app, const char* name, Value& value, Bound lowest, Bound highest,
+                        const char* description) {
+  return app.add_option(name, value, description)
+      ->check(CLI::Range(lowest, highest).description(""))
+      ->type_name("N");
+}
+
+}  // namespace
+
+void declare_options(CLI::App& app, IndexArguments& arguments) {
+  const Recipe defaults;
+  IndexOptions& options = arguments.options;
+  options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  app.footer(examples);
+  app.add_option("PATH", arguments.paths, "Model files, and folders to search for them")
+      ->required()
+      ->type_name("");
+  add_database_option(app, arguments.database);
+  add_number(app, "--jobs", options.jobs, 1, 1024, "Models computed at once")
+      ->capture_default_str();
+  add_number(app, "--balls", arguments.recipe.balls, 1, 100'000, "Balls of a model")
+      ->default_str(std::to_string(defaults.balls));
+  add_number(app, "--tolerance", arguments.recipe.radius_tolerance, 1e-9, 0.5,
+             "Tolerance of radii, relative")
+      ->default_str(CLI::detail::to_string(defaults.radius_tolerance));
+  add_duration_option(app, "--model-time", options.limits.time, "Time budget of a model");
+  add_size_option(app, "--model-memory", options.limits.memory, "Memory budget of a model");
+  app.add_flag("--force", options.force, "Compute unchanged and failed models again");
+  app.add_flag("--prune", options.prune, "Remove models below PATH whose files are gone");
+  app.add_flag("--dry-run", arguments.is_dry_run, "Tell what would be done; write nothing");
+  app.add_flag("--json", arguments.is_json, "Print the summary as a JSON object");
+  app.add_flag("--quiet", arguments.is_quiet, "Print errors only, and what --json asks for");
+}
+
+}  // namespace mdbd

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "indexer/indexer.h"
+#include "indexer/open_index_store.h"
+
+namespace CLI {
+class App;
+}
+
+namespace mdbd {
+
+/// The command line of mdbd-index.
+struct IndexArguments {
+  std::vector<std::filesystem::path> paths;
+  std::filesystem::path database;
+  RecipeOverrides recipe;
+  IndexOptions options;
+  bool is_dry_run = false;
+  bool is_json = false;
+  bool is_quiet = false;
+};
+
+/// Declares the options of mdbd-index and its help.
+void declare_options(CLI::App& app, IndexArguments& arguments);
+
+}  // namespace mdbd

@@ -1,0 +1,237 @@
+#include "indexer/indexer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "indexer/discover.h"
+
+namespace fs = std::filesystem;
+
+namespace mdbd {
+namespace {
+
+constexpr std::chrono::milliseconds wait_interval{100};
+
+bool is_gone(const std::string& path) {
+  std::error_code ignored;
+  return fs::status(path, ignored).type() == fs::file_type::not_found;
+}
+
+/// A record of the same content for another file.
+ShapeRecord with_file(ShapeRecord record, const FoundFile& file) {
+  record.id = 0;
+  record.path = file.path;
+  record.file_size = file.size;
+  record.modified_ns = file.modified_ns;
+  return record;
+}
+
+/// One run.
+class IndexRun {
+ public:
+  IndexRun(const Discovery& found, const IndexOptions& options, const DescribeFunction& describe,
+           ShapeStore& store, IndexObserver& observer)
+      : found_(found),
+        options_(options),
+        describe_(describe),
+        store_(store),
+        observer_(observer),
+        pool_(options.jobs, options.limits) {}
+
+  IndexSummary run() {
+    load_records();
+    set_unchanged_aside();
+    observer_.on_start(pending_.size() + found_.unusable.size());
+    for (const UnusablePath& unusable : found_.unusable) store_unusable(unusable);
+    process_pending();
+    if (!summary_.is_interrupted) treat_vanished();
+    std::ranges::sort(summary_.failures, {}, &IndexFailure::path);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - found_.started;
+    summary_.seconds = elapsed.count();
+    return std::move(summary_);
+  }
+
+ private:
+  struct Job {
+    FoundFile file;
+    bool must_compute = false;  ///< even if the content is known
+  };
+
+  void load_records() {
+    for (ShapeRecord& record : store_.shapes()) {
+      remember(record.content_hash);
+      std::string path = record.path;
+      records_.emplace(std::move(path), std::move(record));
+    }
+  }
+
+  void remember(const std::string& content_hash) {
+    if (!content_hash.empty()) known_hashes_.insert(content_hash);
+  }
+
+  const ShapeRecord* find_record(const std::string& path) const {
+    const auto found = records_.find(path);
+    return found == records_.end() ? nullptr : &found->second;
+  }
+
+  void set_unchanged_aside() {
+    for (const FoundFile& file : found_.files) {
+      const ShapeRecord* record = find_record(file.path);
+      const bool is_unchanged = record != nullptr && record->file_size == file.size &&
+                                record->modified_ns == file.modified_ns &&
+                                record->failure != FailureKind::unreadable;
+      if (is_unchanged && !options_.force) {
+        count_known(*record, summary_.unchanged);
+      } else {
+        pending_.push_back({file, options_.force});
+      }
+    }
+  }
+
+  /// Counts a model of which nothing was computed; a failed one stays a failure.
+  void count_known(const ShapeRecord& record, std::size_t& counter) {
+    if (record.status == ShapeStatus::failed) {
+      summary_.failures.push_back({record.path, record.reason, true});
+    } else {
+      ++counter;
+    }
+  }
+
+  /// Keeps what is stored of a file that vanished, here during the run or behind a link.
+  void store_failure(const ShapeRecord& record) {
+    const ShapeRecord* old = find_record(record.path);
+    const bool has_data = old != nullptr && old->status == ShapeStatus::indexed;
+    if (!has_data || !is_gone(record.path)) store_.put(record, {});
+    summary_.failures.push_back({record.path, record.reason, false});
+    observer_.on_failure(summary_.failures.back());
+  }
+
+  void store_unusable(const UnusablePath& unusable) {
+    ShapeRecord record;
+    record.path = unusable.path;
+    record.status = ShapeStatus::failed;
+    record.failure = FailureKind::unreadable;
+    record.reason = unusable.reason;
+    store_failure(record);
+    observer_.on_model_done(true);
+  }
+
+  void process_pending() {
+    while (true) {
+      summary_.is_interrupted = !pending_.empty() && observer_.is_interrupted();
+      while (!summary_.is_interrupted && !pending_.empty() && !pool_.is_full()) start_next_job();
+      if (pool_.is_empty()) break;
+      for (const ProcessOutcome& outcome : pool_.wait(wait_interval)) finish_job(outcome);
+      observer_.on_wait();
+    }
+    summary_.left = pending_.size();
+  }
+
+  void start_next_job() {
+    const std::size_t number = next_job_++;
+    const Job& job = running_[number] = std::move(pending_.front());
+    pending_.pop_front();
+    static const std::unordered_set<std::string> nothing;
+    const auto& known = job.must_compute ? nothing : known_hashes_;
+    pool_.start(number, [&](const SendOutput& send) {
+      run_model_job(job.file.path, known, describe_, send);
+    });
+  }
+
+  void finish_job(const ProcessOutcome& outcome) {
+    const Job job = std::move(running_.extract(outcome.job).mapped());
+    const std::size_t failures_before = summary_.failures.size();
+    ModelResult result = read_model_result(outcome);
+    if (!result.is_known) {
+      result.record = with_file(std::move(result.record), job.file);
+      store_computed(result);
+    } else if (!use_known(job.file, result.record.content_hash)) {
+      // What was known when the job started has been replaced since.
+      pending_.push_front({job.file, true});
+      return;
+    }
+    observer_.on_model_done(summary_.failures.size() > failures_before);
+  }
+
+  void store_computed(const ModelResult& result) {
+    const ShapeRecord& record = result.record;
+    if (record.status == ShapeStatus::failed) {
+      store_failure(record);
+    } else {
+      store_.put(record, result.data);
+      ++summary_.indexed;
+    }
+    remember(record.content_hash);
+  }
+
+  /// Brings the record of a file up to date whose content the store has.
+  /// @returns false if it has it no more
+  bool use_known(const FoundFile& file, const std::string& content_hash) {
+    const std::vector<ShapeRecord> known = store_.find_by_hash(content_hash);
+    if (known.empty()) return false;
+    const auto own = std::ranges::find(known, file.path, &ShapeRecord::path);
+    if (own != known.end()) {
+      store_.touch(own->id, file.size, file.modified_ns);
+      count_known(*own, summary_.unchanged);
+      return true;
+    }
+    const auto moved = std::ranges::find_if(known, [&](const ShapeRecord& record) {
+      return find_record(record.path) != nullptr && is_gone(record.path) &&
+             is_within(record.path, found_.roots);
+    });
+    if (moved != known.end()) {
+      store_.move(moved->id, file.path, file.modified_ns);
+      records_.erase(moved->path);
+      count_known(with_file(*moved, file), summary_.moved);
+    } else {
+      const ShapeRecord copy = with_file(known.front(), file);
+      store_.put(copy, store_.data(known.front().id));
+      count_known(copy, summary_.indexed);
+    }
+    return true;
+  }
+
+  /// Counts, or removes, what the store has of files that are gone. Removed with them are failures
+  /// that are none any more, such as that of a folder that can be read again.
+  void treat_vanished() {
+    std::unordered_set<std::string> found;
+    for (const FoundFile& file : found_.files) found.insert(file.path);
+    for (const UnusablePath& unusable : found_.unusable) found.insert(unusable.path);
+    for (const auto& [path, record] : records_) {
+      if (found.contains(path) || !is_within(path, found_.roots)) continue;
+      const bool is_obsolete = is_gone(path) || record.status == ShapeStatus::failed;
+      if (options_.prune && is_obsolete) {
+        store_.remove(record.id);
+        ++summary_.removed;
+      } else if (is_gone(path)) {
+        ++summary_.gone;
+      }
+    }
+  }
+
+  const Discovery& found_;
+  const IndexOptions& options_;
+  const DescribeFunction& describe_;
+  ShapeStore& store_;
+  IndexObserver& observer_;
+  ProcessPool pool_;
+  std::unordered_map<std::string, ShapeRecord> records_;  ///< as they were at the start, by path
+  std::unordered_set<std::string> known_hashes_;
+  std::deque<Job> pending_;
+  std::unordered_map<std::size_t, Job> running_;  ///< by number
+  std::size_t next_job_ = 0;
+  IndexSummary summary_;
+};
+
+}  // namespace
+
+IndexSummary run_index(const Discovery& found, const IndexOptions& options,
+                       const DescribeFunction& describe, ShapeStore& store,
+                       IndexObserver& observer) {
+  return IndexRun(found, options, describe, store, observer).run();
+}
+
+}  // namespace mdbd

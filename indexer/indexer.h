@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "indexer/discover.h"
+#include "indexer/model_job.h"
+#include "indexer/process_pool.h"
+#include "store/shape_store.h"
+
+namespace mdbd {
+
+struct IndexOptions {
+  std::size_t jobs = 1;  ///< models computed at the same time, each in a process of its own
+  ProcessLimits limits;  ///< of one model
+  bool force = false;    ///< compute every model again, even if its file is unchanged
+  bool prune = false;    ///< remove the records of files that are gone
+};
+
+/// A model that could not be read or decomposed.
+struct IndexFailure {
+  std::string path;
+  std::string reason;
+  bool is_old = false;  ///< known from an earlier run and not tried again
+};
+
+/// What a run did. Every model found counts once, as indexed, unchanged, moved or failed.
+struct IndexSummary {
+  std::size_t indexed = 0;    ///< new or changed, and in the store now
+  std::size_t unchanged = 0;  ///< same content at the same path
+  std::size_t moved = 0;      ///< same content at another path than before
+  std::size_t removed = 0;    ///< records removed: their files are gone
+  std::size_t gone = 0;       ///< records kept although their files are gone
+  std::size_t left = 0;       ///< models not looked at, if the run was interrupted
+  bool is_interrupted = false;
+  double seconds = 0.0;                ///< since the search for files began
+  std::vector<IndexFailure> failures;  ///< old and new, ordered by path
+};
+
+/// Hears about a run while it goes on, and can end it.
+class IndexObserver {
+ public:
+  virtual ~IndexObserver() = default;
+  virtual void on_start(std::size_t models) = 0;  ///< models that are not plainly unchanged
+  virtual void on_model_done(bool has_failed) = 0;
+  virtual void on_failure(const IndexFailure& failure) = 0;  ///< new ones only
+  virtual void on_wait() = 0;                                ///< about ten times a second
+  /// True ends the run: models in flight are finished and stored, no other is started.
+  virtual bool is_interrupted() = 0;
+};
+
+/// Brings a store up to date with what was found at and below some paths.
+///
+/// A file of the size and time that are stored costs nothing more. Otherwise its content is hashed:
+/// content that the store has is not computed again but noted as unchanged, moved (its old file,
+/// also at or below the paths, is gone) or copied. Everything else goes to `describe`, in a process
+/// of its own. A failure is stored with its reason. Failures of content, budget and crashes are
+/// tried again when the content changes, or with `force`; unreadable files at every run. Only
+/// records of files at or below the paths are touched.
+///
+/// Each model is stored as soon as it is computed, so that a killed run loses only the models in
+/// flight. Records do not depend on the number of jobs, but the ids of new ones may.
+/// @throws IoError if no process can be started
+/// @throws StoreError if the store fails
+IndexSummary run_index(const Discovery& found, const IndexOptions& options,
+                       const DescribeFunction& describe, ShapeStore& store,
+                       IndexObserver& observer);
+
+}  // namespace mdbd

@@ -1,0 +1,54 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/program.h"
+#include "indexer/console_observer.h"
+#include "indexer/index_arguments.h"
+#include "indexer/index_report.h"
+
+namespace {
+
+using mdbd::ExitCode;
+
+constexpr const char* program = "mdbd-index";
+
+ExitCode report(const mdbd::IndexSummary& summary, const mdbd::IndexArguments& arguments) {
+  const bool is_dry_run = arguments.is_dry_run;
+  if (!arguments.is_quiet) fmt::print(stderr, "{}", mdbd::format_old_failures(summary));
+  if (arguments.is_json) {
+    fmt::print("{}", mdbd::format_index_json(summary, arguments.database, is_dry_run));
+  } else if (!arguments.is_quiet) {
+    fmt::print("{}", mdbd::format_index_text(summary, arguments.database, is_dry_run));
+  }
+  if (summary.is_interrupted) {
+    mdbd::print_error(program,
+                      fmt::format("interrupted: {} model{} left; run the same command to continue",
+                                  summary.left, summary.left == 1 ? "" : "s"));
+    return ExitCode::failed;
+  }
+  return summary.failures.empty() ? ExitCode::done : ExitCode::partial;
+}
+
+ExitCode run(const mdbd::IndexArguments& arguments) {
+  mdbd::ConsoleObserver observer(program, arguments.is_quiet);
+  // The search comes first: a mistyped path must not leave an empty database behind.
+  const mdbd::Discovery found = mdbd::discover(arguments.paths);
+  const auto store =
+      mdbd::open_index_store(arguments.database, arguments.recipe, arguments.is_dry_run);
+  const mdbd::DescribeFunction describe = [&](const std::filesystem::path& path) {
+    return arguments.is_dry_run ? mdbd::ShapeDescription{}
+                                : mdbd::describe_file(path, store->recipe());
+  };
+  const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
+  observer.finish();
+  return report(summary, arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Indexes 3D models for search by shape.", program);
+  mdbd::IndexArguments arguments;
+  mdbd::declare_options(app, arguments);
+  return mdbd::run_program(app, argc, argv, [&] { return run(arguments); });
+}
