@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-/// The exceptions that the libraries throw. Each stands on a std base, so that a caller who does not
-/// know them still catches them; a program maps them to exit codes.
+/// The exceptions that the libraries throw. Each stands on a std base, so that a caller who does
+/// not know them still catches them; a program maps them to exit codes.
 namespace mdbd {
 
 /// The content of a file or an argument cannot be used: damaged, absurd, empty, not a solid.

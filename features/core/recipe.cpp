@@ -30,8 +30,8 @@ void read_value(const std::string&, const std::string& text, std::string& value)
 
 std::string value_to_text(const std::string& value) { return value; }
 template <typename Number>
-  requires std::integral<Number> || std::floating_point<Number>
-std::string value_to_text(Number value) {
+requires std::integral<Number> || std::floating_point<Number> std::string value_to_text(
+    Number value) {
   return number_to_text(value);
 }
 
@@ -106,7 +106,8 @@ void validate(const Recipe& recipe) {
           "walk damping must be above 0 and at most 1");
   require(recipe.contact_tolerance >= 0 && recipe.contact_tolerance < 1,
           "contact tolerance must be from 0 to below 1");
-  require(recipe.walk_weight >= 0 && recipe.walk_weight < 1e6, "walk weight must be from 0 to below 1000000");
+  require(recipe.walk_weight >= 0 && recipe.walk_weight < 1e6,
+          "walk weight must be from 0 to below 1000000");
   require(recipe.scaling == "enclosing-ball", "scaling must be enclosing-ball");
 }
 

@@ -8,8 +8,8 @@ namespace mdbd {
 /// How far a decomposition is from its guarantees; the first two are relative to R.
 struct Certificate {
   double containment_violation = 0.0;  ///< max over balls of (r_i - d(c_i)) / R, at least 0
-  double overlap_violation = 0.0;      ///< max over pairs of (r_i + r_j - |c_i - c_j|) / R, at least 0
-  double maximality_gap = 0.0;         ///< max over balls of upper_bound_i / r_i - 1
+  double overlap_violation = 0.0;  ///< max over pairs of (r_i + r_j - |c_i - c_j|) / R, at least 0
+  double maximality_gap = 0.0;     ///< max over balls of upper_bound_i / r_i - 1
 };
 
 /// Re-checks a decomposition against distances alone; quadratic in the number of balls.

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <limits>
 #include <span>
+
+#include <Eigen/Core>
 
 #include "features/core/ball.h"
 

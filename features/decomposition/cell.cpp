@@ -1,0 +1,124 @@
+#include "features/decomposition/cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mdbd {
+
+Cell::Cell(const Eigen::Vector3d& center, double half_size, double bound)
+    : center_(center), half_size_(half_size), bound_(bound) {
+  witnesses_.fill(Eigen::Vector3d::Zero());
+}
+
+double Cell::half_diagonal() const { return std::sqrt(3.0) * half_size_; }
+
+// In cells that are large for their balls a division helps more than another witness.
+bool Cell::wants_probe() const { return probes_ < max_probes && half_size_ <= 0.5 * bound_; }
+
+void Cell::tighten(const RemainingSpace& space) { solve(space); }
+
+MaxMinSolution Cell::solve(const RemainingSpace& space) {
+  std::array<Witness, kept_witnesses + nearby_balls> witnesses;
+  std::size_t count = 0;
+  for (; count < witness_count_; ++count) witnesses[count] = {witnesses_[count]};
+  const std::size_t ball_count = space.balls().find_nearest(
+      center_, bound_ + half_diagonal(), std::span(witnesses).subspan(count, nearby_balls));
+  if (ball_count > 0) value_ = std::min(value_, witnesses[count].value(center_));
+  count += ball_count;
+  balls_seen_ = static_cast<std::uint32_t>(space.balls().size());
+  if (count == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
+
+  std::array<AffineFunction, kept_witnesses + nearby_balls> functions;
+  for (std::size_t i = 0; i < count; ++i) {
+    limit(witnesses[i].largest_value(center_, half_size_));
+    functions[i] = witnesses[i].overestimate(center_, half_size_);
+  }
+  const MaxMinSolution solution = maximise_minimum({functions.data(), count}, half_size_);
+  limit(solution.value);
+  binding_ = static_cast<std::uint8_t>(solution.binding & ((1U << witness_count_) - 1U));
+  return solution;
+}
+
+DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
+  DistanceQuery query{.point = point};
+  for (std::size_t i = 0; i < witness_count_; ++i) {
+    query.bound = std::min(query.bound, (point - witnesses_[i]).norm());
+  }
+  return query;
+}
+
+void Cell::measure(RemainingSpace& space) {
+  DistanceQuery query = make_query(center_);
+  query.side = side_;
+  const DistanceSample sample = space.measure_solid(query);
+  is_measured_ = true;
+  side_ = sample.distance > 0 ? Side::inside : Side::outside;
+  distance_ = sample.distance;
+  value_ = sample.distance;
+  limit(distance_ + half_diagonal());
+  if (witness_count_ == 0) {
+    witness_count_ = 1;
+  } else {
+    add_witness(witnesses_[0]);
+  }
+  witnesses_[0] = sample.closest;
+  tighten(space);
+}
+
+std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
+  const bool across = probes_ == 0 && side_ == Side::inside;
+  const Eigen::Vector3d point =
+      across ? point_across() : Eigen::Vector3d(center_ + solve(space).point);
+  ++probes_;
+  DistanceQuery query = make_query(point);
+  if (std::abs(distance_) > (point - center_).norm()) query.side = side_;
+  const DistanceSample sample = space.measure_solid(query);
+  add_witness(sample.closest);
+  tighten(space);
+  return {point, std::min(sample.distance, space.balls().gap(point))};
+}
+
+// Beyond any medial sheet in the cell, on the line through the centre and its closest boundary
+// point: the two witnesses then face each other exactly.
+Eigen::Vector3d Cell::point_across() const {
+  const Eigen::Vector3d direction = (center_ - witnesses_[0]).normalized();
+  return center_ + 1.5 * half_size_ * direction;
+}
+
+// Remembers a boundary point. If there is no room it takes the place of the farthest on which the
+// bound does not rest; the first, which belongs to the centre, stays.
+void Cell::add_witness(const Eigen::Vector3d& point) {
+  if (witness_count_ < kept_witnesses) {
+    witnesses_[witness_count_++] = point;
+    return;
+  }
+  std::size_t replaced = 1;
+  double farthest = -1.0;
+  for (std::size_t i = 1; i < kept_witnesses; ++i) {
+    const double distance = (witnesses_[i] - center_).squaredNorm();
+    if ((binding_ >> i & 1U) != 0 || distance <= farthest) continue;
+    replaced = i;
+    farthest = distance;
+  }
+  witnesses_[replaced] = point;
+}
+
+Cell Cell::child(int octant) const {
+  Cell child = *this;
+  child.half_size_ = 0.5 * half_size_;
+  for (int axis = 0; axis < 3; ++axis) {
+    child.center_[axis] += (octant >> axis & 1) != 0 ? child.half_size_ : -child.half_size_;
+  }
+  child.is_measured_ = false;
+  child.probes_ = 0;
+  child.balls_seen_ = never;
+  // The side is known if the boundary cannot lie between the two centres.
+  if (!is_measured_ || std::abs(distance_) <= child.half_diagonal()) child.side_ = Side::unknown;
+  return child;
+}
+
+double Cell::reach(const Eigen::Vector3d& from) const {
+  return Witness{from}.largest_value(center_, half_size_);
+}
+
+}  // namespace mdbd

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "features/decomposition/remaining_space.h"
+
+namespace mdbd {
+
+/// A cube of the octree with what is known of the balls centred in it. Object units.
+///
+/// `bound` only falls: no ball centred in the cell is larger. It rests on the placed balls nearby
+/// and on a few boundary points, inherited from the parent and found by measuring.
+class Cell {
+ public:
+  Cell(const Eigen::Vector3d& center, double half_size, double bound);
+
+  double bound() const { return bound_; }
+  const Eigen::Vector3d& center() const { return center_; }
+  double half_size() const { return half_size_; }
+
+  /// Whether the centre has been measured.
+  bool is_measured() const { return is_measured_; }
+
+  /// Whether the bound accounts for all balls placed.
+  bool is_current(const RemainingSpace& space) const { return balls_seen_ == space.balls().size(); }
+
+  /// d_i at the centre. @pre is_measured() and is_current()
+  double value() const { return value_; }
+
+  /// Whether another probe is likely to lower the bound more cheaply than a division.
+  bool wants_probe() const;
+
+  /// Lowers the bound by all witnesses known, without a distance query.
+  void tighten(const RemainingSpace& space);
+
+  /// Measures the centre.
+  void measure(RemainingSpace& space);
+
+  /// Measures where the bound may be too high: first across the medial axis from the boundary point
+  /// nearest to the centre, then where the witnesses together allow the most.
+  /// @returns the point and the value of d_i there
+  std::pair<Eigen::Vector3d, double> probe(RemainingSpace& space);
+
+  /// States that no ball centred in the cell is larger than this.
+  void limit(double bound) { bound_ = std::min(bound_, bound); }
+
+  /// One of the eight children; they inherit bound and witnesses. @pre 0 <= octant < 8
+  Cell child(int octant) const;
+
+  /// The largest distance of a point of the cell from another point.
+  double reach(const Eigen::Vector3d& from) const;
+
+ private:
+  static constexpr std::size_t kept_witnesses = 6;
+  static constexpr std::size_t nearby_balls = 6;
+  static constexpr std::uint8_t max_probes = 2;
+  static constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
+  static_assert(kept_witnesses + nearby_balls <= max_min_capacity);
+
+  double half_diagonal() const;
+  Eigen::Vector3d point_across() const;
+  DistanceQuery make_query(const Eigen::Vector3d& point) const;
+  void add_witness(const Eigen::Vector3d& point);
+  MaxMinSolution solve(const RemainingSpace& space);
+
+  Eigen::Vector3d center_;
+  double half_size_;
+  double bound_;
+  double distance_ = 0.0;  // signed, of the centre, once measured
+  double value_ = 0.0;     // d_i at the centre, once measured
+  /// Boundary points; once measured, the first is the closest to the centre.
+  std::array<Eigen::Vector3d, kept_witnesses> witnesses_;
+  std::uint32_t balls_seen_ = never;  // the bound accounts for so many balls
+  std::uint8_t witness_count_ = 0;
+  std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i
+  std::uint8_t probes_ = 0;
+  bool is_measured_ = false;
+  Side side_ = Side::unknown;  // of the centre
+};
+
+}  // namespace mdbd

@@ -1,0 +1,137 @@
+#include "features/decomposition/local_maximum.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+namespace mdbd {
+namespace {
+
+constexpr int max_steps = 100;
+constexpr std::size_t remembered_witnesses = 14;
+constexpr std::size_t nearby_balls = 8;
+static_assert(remembered_witnesses + nearby_balls <= max_min_capacity);
+
+class Ascent {
+ public:
+  Ascent(RemainingSpace& space, const Eigen::Vector3d& start, double step, double precision)
+      : space_(space), x_(start), step_(step), precision_(precision) {
+    value_ = measure(start);
+    find_nearby_balls();
+  }
+
+  LocalMaximum run() {
+    for (int i = 0; i < max_steps; ++i) {
+      const MaxMinSolution promised = maximise_minimum(models(), step_);
+      if (promised.value - value_ <= precision_) break;
+      try_point(x_ + promised.point, promised.value - value_);
+    }
+    return {{x_, value_}, basin_radius()};
+  }
+
+ private:
+  double measure(const Eigen::Vector3d& point) {
+    const DistanceSample sample = space_.measure_solid({.point = point});
+    remember({sample.closest});
+    double value = sample.distance;
+    std::array<Witness, 1> ball;
+    if (space_.balls().find_nearest(point, value, ball) > 0) {
+      value = ball[0].value(point);
+      remember(ball[0]);
+    }
+    return value;
+  }
+
+  void remember(const Witness& witness) {
+    witnesses_[witness_count_++ % remembered_witnesses] = witness;
+  }
+
+  void find_nearby_balls() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    nearby_count_ = space_.balls().find_nearest(x_, infinity, nearby_);
+  }
+
+  std::size_t remembered() const { return std::min(witness_count_, remembered_witnesses); }
+
+  std::span<const AffineFunction> models() {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < remembered(); ++i) models_[count++] = witnesses_[i].linearise(x_);
+    for (std::size_t i = 0; i < nearby_count_; ++i) models_[count++] = nearby_[i].linearise(x_);
+    return {models_.data(), count};
+  }
+
+  void try_point(const Eigen::Vector3d& point, double promised_gain) {
+    const double value = measure(point);
+    const double gain = value - value_;
+    if (gain < 0.25 * promised_gain) {
+      step_ = 0.5 * std::min(step_, (point - x_).lpNorm<Eigen::Infinity>());
+    } else if (gain > 0.75 * promised_gain) {
+      step_ = std::min(2.0 * step_, value_);
+    }
+    if (gain <= 0) return;
+    x_ = point;
+    value_ = value;
+    find_nearby_balls();
+  }
+
+  // Near the ball the witnesses that touch it bound d_i by v - strength |s| + |s|^2 / (2 v).
+  double basin_radius() {
+    std::array<Eigen::Vector3d, max_min_capacity> directions;
+    std::size_t count = 0;
+    for (const AffineFunction& model : models()) {
+      if (model.offset <= value_ * (1.0 + contact_accuracy)) directions[count++] = model.slope;
+    }
+    return 2.0 * value_ * hold_strength({directions.data(), count});
+  }
+
+  RemainingSpace& space_;
+  Eigen::Vector3d x_;
+  double value_;
+  double step_;
+  double precision_;
+  std::array<Witness, remembered_witnesses> witnesses_;
+  std::size_t witness_count_ = 0;
+  std::array<Witness, nearby_balls> nearby_;
+  std::size_t nearby_count_ = 0;
+  std::array<AffineFunction, max_min_capacity> models_;
+};
+
+}  // namespace
+
+LocalMaximum find_local_maximum(RemainingSpace& space, const Eigen::Vector3d& start, double step,
+                                double precision) {
+  return Ascent(space, start, step, precision).run();
+}
+
+// The least distance of a facet's plane from the origin, over all facets of the hull.
+double hold_strength(std::span<const Eigen::Vector3d> directions) {
+  constexpr double rounding = 1e-9;
+  double strength = std::numeric_limits<double>::infinity();
+  const std::size_t n = directions.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      for (std::size_t k = j + 1; k < n; ++k) {
+        Eigen::Vector3d normal =
+            (directions[j] - directions[i]).cross(directions[k] - directions[i]);
+        const double length = normal.norm();
+        if (length < rounding) continue;
+        normal /= length;
+        double lowest = 0.0;
+        double highest = 0.0;
+        for (const Eigen::Vector3d& direction : directions) {
+          const double height = normal.dot(direction - directions[i]);
+          lowest = std::min(lowest, height);
+          highest = std::max(highest, height);
+        }
+        const double offset = normal.dot(directions[i]);
+        if (highest <= rounding) strength = std::min(strength, offset);
+        if (lowest >= -rounding) strength = std::min(strength, -offset);
+      }
+    }
+  }
+  return std::isfinite(strength) ? std::max(0.0, strength) : 0.0;
+}
+
+}  // namespace mdbd

@@ -1,0 +1,37 @@
+#include "features/distance/mesh_distance_field.h"
+
+#include <cmath>
+
+#include "features/core/errors.h"
+#include "features/distance/enclosing_ball.h"
+
+namespace mdbd {
+namespace {
+
+const TriangleMesh& require_triangles(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw InvalidInput("the mesh has no faces");
+  return mesh;
+}
+
+}  // namespace
+
+MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh)
+    : enclosing_ball_(mdbd::enclosing_ball(require_triangles(mesh).vertices)),
+      tree_(mesh),
+      winding_number_(tree_) {
+  if (!(enclosing_ball_.radius > 0)) throw InvalidInput("all vertices of the mesh coincide");
+}
+
+void MeshDistanceField::measure(std::span<const DistanceQuery> queries,
+                                std::span<DistanceSample> samples) const {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const DistanceQuery& query = queries[i];
+    const ClosestPoint closest = find_closest_point(tree_, query.point, query.bound);
+    const double distance = std::sqrt(closest.squared_distance);
+    const bool is_inside = query.side == Side::unknown ? winding_number_(query.point) > 0.5
+                                                       : query.side == Side::inside;
+    samples[i] = {is_inside ? distance : -distance, closest.point};
+  }
+}
+
+}  // namespace mdbd

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "features/distance/distance_field.h"
+#include "features/distance/triangle_tree.h"
+#include "features/distance/winding_number.h"
+
+namespace mdbd {
+
+/// The distance field of a triangle mesh: exact distances to the triangles; a point is inside where
+/// the generalised winding number is above one half.
+class MeshDistanceField final : public DistanceField {
+ public:
+  /// @throws InvalidInput if the mesh has no triangles or no extent
+  explicit MeshDistanceField(const TriangleMesh& mesh);
+
+  // The winding number refers to the tree beside it.
+  MeshDistanceField(const MeshDistanceField&) = delete;
+  MeshDistanceField& operator=(const MeshDistanceField&) = delete;
+
+  using DistanceField::measure;
+  Ball enclosing_ball() const override { return enclosing_ball_; }
+  void measure(std::span<const DistanceQuery> queries,
+               std::span<DistanceSample> samples) const override;
+
+ private:
+  Ball enclosing_ball_;
+  TriangleTree tree_;
+  WindingNumber winding_number_;
+};
+
+}  // namespace mdbd

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "features/core/box.h"
+#include "features/shape_io/triangle_mesh.h"
+
+namespace mdbd {
+
+/// The corners of a triangle, in object units.
+using TriangleCorners = std::array<Eigen::Vector3d, 3>;
+
+/// Four children of a tree node, laid out for vector instructions.
+///
+/// Bounds are in tree coordinates: (object - origin) * inverse_extent, so that they are about 1 in
+/// size whatever the units of the object. lower[axis][child] and upper[axis][child] enclose the
+/// child's triangles; a child that does not exist has an empty box (lower = +inf, upper = -inf).
+struct TreeNode {
+  static constexpr int width = 4;
+
+  float lower[3][width];
+  float upper[3][width];
+  /// The triangles below child c are first[c] … first[c] + count[c] - 1.
+  std::uint32_t first[width];
+  std::uint32_t count[width];
+  std::uint32_t inner[width];  ///< the node of child c, or 0 if it is a leaf
+};
+
+/// A bounding volume hierarchy over the triangles of a mesh, four children to a node. The structure
+/// that closest-point and winding-number queries share.
+class TriangleTree {
+ public:
+  /// Enough room for the stack of any depth-first traversal: the depth of a tree is bounded.
+  static constexpr int max_stack_size = 256;
+
+  /// @pre mesh has at least one triangle
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  const std::vector<TreeNode>& nodes() const { return nodes_; }  ///< nodes()[0] is the root
+  const std::vector<TriangleCorners>& triangles() const { return triangles_; }  ///< in leaf order
+  const Eigen::Vector3d& origin() const { return origin_; }
+  double inverse_extent() const { return inverse_extent_; }
+
+ private:
+  struct Item;
+  struct Range;
+
+  std::uint32_t build(std::vector<Item>& items, const Range& range, int depth);
+  void set_child(std::uint32_t node, int child, const Range& range);
+
+  std::vector<TreeNode> nodes_;
+  std::vector<TriangleCorners> triangles_;
+  Eigen::Vector3d origin_;
+  double inverse_extent_;
+};
+
+/// The point of a mesh that is closest to another point.
+struct ClosestPoint {
+  Eigen::Vector3d point;    ///< object units
+  double squared_distance;  ///< object units squared
+};
+
+/// Finds a closest point of the tree's triangles, exact but for the rounding of doubles.
+/// @param bound an upper bound of the distance, which must be true; infinity if nothing is known
+ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d& point,
+                                double bound = std::numeric_limits<double>::infinity());
+
+}  // namespace mdbd
