@@ -16,7 +16,11 @@ namespace mdbd {
 /// The collection: shapes, their vectors and balls, and the recipe they were computed with. An
 /// interface, so that other databases than SQLite can stand behind it. Not thread-safe; several
 /// processes may have one database open.
-/// Every function throws StoreError when the database cannot do what is asked.
+///
+/// Every function throws StoreError when the database cannot do what is asked or is found damaged;
+/// the message begins with the path of the database. Changes are durable when a function returns: a
+/// killed process loses none, a loss of power at most the last ones, and neither leaves half a
+/// model.
 class ShapeStore {
  public:
   virtual ~ShapeStore() = default;
@@ -27,26 +31,33 @@ class ShapeStore {
   virtual std::vector<ShapeRecord> shapes() const = 0;  ///< ordered by path
   virtual std::optional<ShapeRecord> find(std::int64_t id) const = 0;
   virtual std::optional<ShapeRecord> find_by_path(const std::string& path) const = 0;
-  /// All records with this content, ordered by path.
+  /// All records with this content, ordered by path; none for an empty hash.
   virtual std::vector<ShapeRecord> find_by_hash(const std::string& content_hash) const = 0;
 
   /// Stores a model with its data in one transaction, in place of what was stored for its path. The
-  /// id of a path that is there is kept. A failed model has no data.
+  /// id of a path that is there is kept; the id and the time in the record are ignored. Data of a
+  /// failed model is dropped.
+  /// @pre status and failure kind agree; the signature of an indexed model has the recipe's k + m
+  ///      numbers; all numbers are finite
   /// @returns the id
+  /// @throws StoreError also if a precondition does not hold
   virtual std::int64_t put(const ShapeRecord& record, const ShapeData& data) = 0;
 
   /// Notes that a file is unchanged although its size or time was not what is stored.
   virtual void touch(std::int64_t id, std::uint64_t file_size, std::int64_t modified_ns) = 0;
 
-  /// Notes that a file was moved: everything but the path and the time stays.
+  /// Notes that a file was moved: everything but the path and the time stays. As when a file is
+  /// renamed, what was stored for the new path is replaced.
   virtual void move(std::int64_t id, const std::string& path, std::int64_t modified_ns) = 0;
 
+  /// Removes a model with its data; does nothing if it is not there.
   virtual void remove(std::int64_t id) = 0;
 
   /// Vector and balls of one model; empty vectors if it failed.
   virtual ShapeData data(std::int64_t id) const = 0;
 
-  /// All vectors of a signature, ordered by path.
+  /// All vectors of a signature, ordered by path; of one state of the collection, even if another
+  /// process writes meanwhile.
   virtual std::vector<StoredVector> vectors(std::string_view signature) const = 0;
 };
 
@@ -59,7 +70,8 @@ class ShapeStore {
 std::unique_ptr<ShapeStore> open_store(const std::filesystem::path& path,
                                        const std::optional<Recipe>& recipe = std::nullopt);
 
-/// Opens an existing SQLite database for reading only; works in read-only places.
+/// Opens an existing SQLite database for reading only; works in read-only places. Nothing is
+/// created that stays.
 /// @throws StoreError as open_store, and if the file does not exist
 std::unique_ptr<const ShapeStore> open_store_read_only(const std::filesystem::path& path);
 

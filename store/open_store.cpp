@@ -1,0 +1,96 @@
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <sqlite3.h>
+
+#include "store/database_file.h"
+#include "store/shape_store.h"
+#include "store/sqlite_database.h"
+#include "store/sqlite_diagnosis.h"
+#include "store/sqlite_schema.h"
+#include "store/sqlite_shape_store.h"
+
+namespace mdbd {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+  throw StoreError(path.string() + ": " + why);
+}
+
+// In write-ahead mode readers go on while a writer writes, and synchronous = NORMAL keeps a
+// committed model through a kill of the process. A loss of power can cost the last commits, never
+// the consistency of the file.
+void enable_write_ahead_log(const Database& database) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point deadline = Clock::now() + default_busy_timeout;
+  while (true) {
+    // The change of mode fails at once when another process does the same, busy timeout or not.
+    try {
+      Statement statement(database, "PRAGMA journal_mode = WAL");
+      statement.step();
+      if (statement.text(0) == "wal") break;
+      refuse(database.path(), "its file system has no shared memory; put it on a local disk");
+    } catch (const SqliteError& error) {
+      if (error.code() != SQLITE_BUSY || Clock::now() >= deadline) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+  database.execute("PRAGMA synchronous = NORMAL");
+}
+
+void require_same_recipe(const Database& database, const Recipe& asked) {
+  const std::string difference = describe_difference(read_recipe(database), asked);
+  if (difference.empty()) return;
+  refuse(database.path(), "made with another recipe: " + difference +
+                              "; use another file with --db, or the same options");
+}
+
+Database open_current(const fs::path& path, Access access) {
+  Database database(path, access);
+  require_whole_file(database);
+  require_current_schema(database);
+  return database;
+}
+
+// Even a reader of a database in write-ahead mode needs the files "-wal" and "-shm", which cannot
+// be made in a read-only place. Where there is no log, everything is in the database file and
+// nobody is writing it, so that it may be read as immutable, without them.
+Database open_for_reading(const fs::path& path) {
+  try {
+    return open_current(path, Access::read_only);
+  } catch (const SqliteError& error) {
+    if (error.code() != SQLITE_CANTOPEN && error.code() != SQLITE_READONLY) throw;
+    if (const std::optional<fs::path> log = find_log(path)) {
+      refuse(path, "has changes in " + log->string() +
+                       ", which cannot be read in a read-only place; run mdbd-index on it where it "
+                       "can be written, or copy both files to such a place");
+    }
+  }
+  return open_current(path, Access::immutable);
+}
+
+}  // namespace
+
+std::unique_ptr<ShapeStore> open_store(const fs::path& path, const std::optional<Recipe>& recipe) {
+  if (recipe) validate(*recipe);
+  if (!find_database_file(path)) require_folder_of(path);
+  Database database(path, Access::read_write);
+  require_whole_file(database);
+  if (database.is_read_only()) throw StoreError(explain_read_only(path));
+  prepare_schema(database, recipe.value_or(Recipe{}));
+  if (recipe) require_same_recipe(database, *recipe);
+  enable_write_ahead_log(database);
+  return std::make_unique<SqliteShapeStore>(std::move(database));
+}
+
+std::unique_ptr<const ShapeStore> open_store_read_only(const fs::path& path) {
+  if (!find_database_file(path)) {
+    refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
+  }
+  return std::make_unique<SqliteShapeStore>(open_for_reading(path));
+}
+
+}  // namespace mdbd
