@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -31,14 +33,26 @@ struct Witness {
     return {distance - radius, difference / distance};
   }
 
-  /// An affine function that is not below the value anywhere in the cube around x, from
-  /// |D n + s| <= D + n . s + |s|^2 / (2 D); its error is of second order in the half size.
+  /// The lowest affine function with the slope of the value at x that is not below the value
+  /// anywhere in the cube around x. The value is convex, so the corners decide; the error is of
+  /// second order in the half size.
   AffineFunction overestimate(const Eigen::Vector3d& x, double half_size) const {
     AffineFunction model = linearise(x);
-    const double distance = model.offset + radius;
-    const double diagonal = std::sqrt(3.0) * half_size;
-    if (distance <= 0.5 * diagonal) return {largest_value(x, half_size), Eigen::Vector3d::Zero()};
-    model.offset += diagonal * diagonal / (2.0 * distance);
+    const Eigen::Array3d difference = x - center;
+    const Eigen::Array3d lower = (difference - half_size).square();
+    const Eigen::Array3d upper = (difference + half_size).square();
+    model.offset = -std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < 8; ++corner) {
+      double squared = 0.0;
+      double rise = 0.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool is_upper = (corner >> axis & 1) != 0;
+        squared += is_upper ? upper[axis] : lower[axis];
+        rise += is_upper ? model.slope[axis] : -model.slope[axis];
+      }
+      model.offset = std::max(model.offset, std::sqrt(squared) - rise * half_size);
+    }
+    model.offset -= radius;
     return model;
   }
 };
