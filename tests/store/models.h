@@ -34,7 +34,7 @@ inline ShapeRecord make_failed_record(const std::string& path) {
 /// 100 numbers and as many balls as asked for, all different.
 inline ShapeData make_data(int seed, int ball_count = 20) {
   ShapeData data;
-  for (int i = 0; i < 100; ++i) data.signature.push_back(seed + static_cast<float>(i) / 7.0F);
+  for (int i = 0; i < 100; ++i) data.signature.push_back(static_cast<float>(seed + i / 7.0));
   for (int i = 0; i < ball_count; ++i) {
     data.balls.push_back({{seed + 1.0 / 3.0, i / 7.0, -1e-300 * i}, 1.0 / (seed + i + 1)});
   }

@@ -40,6 +40,7 @@ TEST_CASE("processes that create a database at once all succeed") {
     const fs::path path = folder / (std::to_string(round) + ".db");
     const fs::path gate = folder / (std::to_string(round) + ".gate");
     std::vector<std::unique_ptr<ChildProcess>> children;
+    children.reserve(4);
     for (int i = 0; i < 4; ++i) {
       children.push_back(std::make_unique<ChildProcess>([=](int output) {
         while (!fs::exists(gate)) usleep(50);
@@ -74,8 +75,8 @@ TEST_CASE("of two processes with different recipes the later one is refused") {
 TEST_CASE("a killed writer leaves whole models and all that it committed") {
   const TemporaryDirectory folder;
   const fs::path path = folder / "a.db";
-  for (int run = 0; run < 8; ++run) {
-    const auto committed = static_cast<std::size_t>(20 + 13 * run);
+  for (std::size_t run = 0; run < 8; ++run) {
+    const std::size_t committed = 20 + 13 * run;
     {
       ChildProcess writer([&](int output) {
         const auto store = open_store(path);

@@ -25,6 +25,7 @@ std::int64_t count_rows(const std::filesystem::path& path, const std::string& ta
 
 std::vector<std::string> paths_of(const std::vector<ShapeRecord>& records) {
   std::vector<std::string> paths;
+  paths.reserve(records.size());
   for (const ShapeRecord& record : records) paths.push_back(record.path);
   return paths;
 }

@@ -98,7 +98,7 @@ TEST_CASE("errors name the database and carry SQLite's code and words") {
   const TemporaryDirectory folder;
   const Database database = make_database(folder / "a.db");
   try {
-    Statement(database, "SELECT x FROM nowhere");
+    const Statement statement(database, "SELECT x FROM nowhere");
     FAIL("no error");
   } catch (const SqliteError& error) {
     CHECK(error.code() == SQLITE_ERROR);
@@ -112,7 +112,7 @@ TEST_CASE("a lock that is not released is named") {
   const Transaction holding(first, Transaction::Kind::writing);
   const Database second(folder / "a.db", Access::read_write, std::chrono::milliseconds(20));
   const std::string message =
-      store_error_of([&] { Transaction(second, Transaction::Kind::writing); });
+      store_error_of([&] { const Transaction waiting(second, Transaction::Kind::writing); });
   CHECK_THAT(message, StartsWith((folder / "a.db").string()) &&
                           Contains("database is locked by another process"));
 }
