@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <system_error>
 
@@ -27,9 +26,8 @@ int to_int(ExitCode code) { return static_cast<int>(code); }
 
 /// Results that did not reach their reader are a failure: a full disk behind "> matches.csv".
 ExitCode flush_results(std::string_view program, ExitCode code) {
-  std::cout.flush();
   errno = 0;
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   const std::string cause = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
   print_error(program, "cannot write to standard output" + cause);
   return ExitCode::failed;

@@ -5,8 +5,8 @@
 
 namespace mdbd {
 
-/// Shows a run on standard error, and ends it at SIGINT or SIGTERM; a second signal has its default
-/// effect. Only one may exist.
+/// Shows a run on standard error, and ends it at SIGINT or SIGTERM; a second one, half a second
+/// later or more, has its default effect. Only one may exist.
 class ConsoleObserver final : public IndexObserver {
  public:
   /// @param program its name, for messages

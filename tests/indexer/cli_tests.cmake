@@ -1,0 +1,83 @@
+# mdbd-index from the outside.
+set(models ${CMAKE_CURRENT_SOURCE_DIR}/models)
+set(copy_models "cp -r '${models}' models")
+set(make_damaged "sh '${CMAKE_CURRENT_SOURCE_DIR}/make_damaged_models.sh'")
+set(index "'$<TARGET_FILE:mdbd-index>' --balls 20")
+set(query "'$<TARGET_FILE:mdbd-query>' models/cube.off --csv")
+
+mdbd_cli_test(NAME index/help COMMAND mdbd-index --help
+  REGEXP "Usage" "Examples" "--model-time" "MDBD_DB" "Exit codes")
+mdbd_cli_test(NAME index/version COMMAND mdbd-index --version
+  REGEXP "^mdbd-index ${PROJECT_VERSION}\n$")
+mdbd_cli_test(NAME index/no_path COMMAND mdbd-index EXIT 2 REGEXP "PATH")
+mdbd_cli_test(NAME index/unknown_option COMMAND mdbd-index models --fast EXIT 2 REGEXP "--fast")
+mdbd_cli_test(NAME index/no_balls COMMAND mdbd-index models --balls 0 EXIT 2 REGEXP "--balls")
+mdbd_cli_test(NAME index/no_jobs COMMAND mdbd-index models --jobs 0 EXIT 2 REGEXP "--jobs")
+mdbd_cli_test(NAME index/bad_size COMMAND mdbd-index models --model-memory 2GX EXIT 2
+  REGEXP "--model-memory")
+mdbd_cli_test(NAME index/bad_time COMMAND mdbd-index models --model-time soon EXIT 2
+  REGEXP "--model-time")
+
+mdbd_cli_test(NAME index/folder COMMAND mdbd-index ${models} --balls 20
+  REGEXP "^indexed +2\nunchanged +0\nfailed +0\nDatabase mdbd.db, ")
+mdbd_cli_test(NAME index/json COMMAND mdbd-index ${models} --balls 20 --json
+  REGEXP "^{\n *\"indexed\": 2,\n *\"unchanged\": 0," "\"failures\": \\[\\]\n}\n$")
+mdbd_cli_test(NAME index/quiet COMMAND mdbd-index ${models} --balls 20 --quiet REGEXP "^$")
+mdbd_cli_test(NAME index/database_from_environment ENVIRONMENT MDBD_DB=@DIR@/other.db
+  COMMAND sh -c "${index} '${models}' && test -s other.db && ! test -e mdbd.db")
+mdbd_cli_test(NAME index/again SETUP "${copy_models}"
+  COMMAND sh -c "${index} models && ${index} models" REGEXP "unchanged +2\n")
+mdbd_cli_test(NAME index/adopts_recipe SETUP "${copy_models}"
+  COMMAND sh -c "${index} models && '$<TARGET_FILE:mdbd-index>' models" REGEXP "unchanged +2\n")
+mdbd_cli_test(NAME index/other_recipe EXIT 1 SETUP "${copy_models}"
+  COMMAND sh -c "${index} models && '$<TARGET_FILE:mdbd-index>' models --balls 21"
+  REGEXP "another recipe: balls 20 against 21" "--db")
+mdbd_cli_test(NAME index/moved SETUP "${copy_models}"
+  COMMAND sh -c "${index} models && mv models/cube.off models/box.off && ${index} models"
+  REGEXP "indexed +0\nunchanged +1\nmoved +1\n")
+mdbd_cli_test(NAME index/prune SETUP "${copy_models}"
+  COMMAND sh -c "${index} models && rm models/cube.off && ${index} models && ${index} models --prune"
+  REGEXP "gone +1  .kept; --prune removes them" "removed +1\n")
+mdbd_cli_test(NAME index/dry_run SETUP "${copy_models}"
+  COMMAND sh -c "${index} models --dry-run && ! test -e mdbd.db"
+  REGEXP "to index +2\n" "Nothing was written")
+mdbd_cli_test(NAME index/same_with_any_jobs SETUP "${copy_models}"
+  COMMAND sh -c "${index} models --db a.db --jobs 1 && ${index} models --db b.db --jobs 2 && \
+    ${query} --db a.db | cut -d, -f1,3- > a && ${query} --db b.db | cut -d, -f1,3- > b && \
+    cmp a b && cat a"
+  REGEXP "tetrahedron")
+
+mdbd_cli_test(NAME index/damaged_models EXIT 3 SETUP "${copy_models} && ${make_damaged} models/bad"
+  COMMAND mdbd-index models --balls 20
+  REGEXP "indexed +2\n" "failed +9\n" "empty\\.off: [^\n]*empty" "triangle\\.off: [^\n]+\n"
+         "billions\\.off: [^\n]+\n" "nan\\.obj: [^\n]+\n" "diary\\.ply: [^\n]+\n"
+         "truncated\\.stl: [^\n]+\n" "dangling\\.stl: is a link to nothing\n"
+         "pipe\\.ply: is a named pipe" "directory\\.off: is a directory, not a model file\n")
+mdbd_cli_test(NAME index/old_failures EXIT 3 SETUP "${make_damaged} bad"
+  COMMAND sh -c "${index} bad --quiet || ${index} bad"
+  REGEXP "Failed in an earlier run[^\n]*\n  [^\n]*billions\\.off: ")
+mdbd_cli_test(NAME index/time_budget EXIT 3
+  COMMAND mdbd-index ${models}/cube.off --balls 100000 --tolerance 1e-9 --model-time 200ms
+  REGEXP "cube\\.off: took longer than the time budget of 0\\.2 s .--model-time.")
+mdbd_cli_test(NAME index/unsupported EXIT 3 SETUP "echo text > notes.txt"
+  COMMAND mdbd-index notes.txt REGEXP "notes\\.txt: unsupported ending; models end in \\.")
+mdbd_cli_test(NAME index/hostile_name EXIT 3
+  SETUP "mkdir models && : > \"$(printf 'models/a\\n\\033[2J\\377.off')\""
+  COMMAND mdbd-index models REGEXP "a\\\\n\\\\x1b.2J\\\\xff\\.off: ")
+mdbd_cli_test(NAME index/hostile_name_json EXIT 3
+  SETUP "mkdir models && : > \"$(printf 'models/a\\n\\377.off')\""
+  COMMAND mdbd-index models --json REGEXP "a\\\\n[^\n]+\\.off\",")
+mdbd_cli_test(NAME index/interrupted EXIT 1 SETUP "${copy_models}"
+  COMMAND sh -c "'$<TARGET_FILE:mdbd-index>' --jobs 1 --balls 100000 --tolerance 1e-9 --model-time 2s models & \
+    sleep 1 && kill -INT $! && wait $!"
+  REGEXP "interrupted: 1 model left; run the same command to continue")
+
+mdbd_cli_test(NAME index/missing_path EXIT 1
+  COMMAND sh -c "${index} typo || ! test -e mdbd.db || exit 2 && exit 1"
+  REGEXP "mdbd-index: error: [^\n]*/typo: No such file or directory")
+mdbd_cli_test(NAME index/foreign_database EXIT 1 SETUP "echo text > text.db"
+  COMMAND mdbd-index ${models} --db text.db REGEXP "mdbd-index: error: text\\.db")
+mdbd_cli_test(NAME index/database_is_folder EXIT 1 SETUP "mkdir folder.db"
+  COMMAND mdbd-index ${models} --db folder.db REGEXP "mdbd-index: error: folder\\.db")
+mdbd_cli_test(NAME index/output_full EXIT 1
+  COMMAND sh -c "${index} '${models}' > /dev/full" REGEXP "cannot write to standard output: No space")
