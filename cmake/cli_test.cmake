@@ -4,9 +4,9 @@
 #
 # Runs the command in an empty folder of its own and checks its exit code (0 if not given) and that
 # each REGEXP (CMake's dialect) matches its output, standard output followed by standard error. The
-# first word of COMMAND may be a target; arguments cannot hold semicolons. ENVIRONMENT takes NAME=VALUE pairs; @DIR@ in arguments and
-# in ENVIRONMENT stands for the folder. FILES are copied into the folder first. SETUP is a shell
-# command that runs in the folder first.
+# first word of COMMAND may be a target; its arguments cannot hold semicolons. ENVIRONMENT takes
+# NAME=VALUE pairs; @DIR@ in arguments and in ENVIRONMENT stands for the folder. FILES are copied
+# into the folder first. SETUP is a shell command that runs in the folder first.
 set(MDBD_CLI_TEST_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/run_cli_test.cmake)
 
 function(mdbd_cli_test)
