@@ -7,20 +7,28 @@ namespace mdbd {
 
 Cell::Cell(const Eigen::Vector3d& center, double half_size, double bound)
     : center_(center), half_size_(half_size), bound_(bound) {
-  witnesses_.fill(Eigen::Vector3d::Zero());
+  witnesses_.fill({Eigen::Vector3d::Zero()});
 }
 
 double Cell::half_diagonal() const { return std::sqrt(3.0) * half_size_; }
 
-// In cells that are large for their balls a division helps more than another witness.
-bool Cell::wants_probe() const { return probes_ < max_probes && half_size_ <= 0.5 * bound_; }
+// In a cell that is large for its balls a division helps more than another boundary point, but at
+// the boundary it helps to know how empty the outside is.
+Cell::Probe Cell::next_probe() const {
+  if (half_size_ > 0.5 * bound_) {
+    const bool at_boundary = std::abs(distance_) < half_diagonal() && half_size_ < 4.0 * bound_;
+    return probes_ == 0 && at_boundary ? Probe::outward : Probe::none;
+  }
+  if (probes_ == max_probes) return Probe::none;
+  return probes_ == 0 && side_ == Side::inside ? Probe::across : Probe::peak;
+}
 
 void Cell::tighten(const RemainingSpace& space) { solve(space); }
 
 MaxMinSolution Cell::solve(const RemainingSpace& space) {
   std::array<Witness, kept_witnesses + nearby_balls> witnesses;
   std::size_t count = 0;
-  for (; count < witness_count_; ++count) witnesses[count] = {witnesses_[count]};
+  for (; count < witness_count_; ++count) witnesses[count] = witnesses_[count];
   const std::size_t ball_count = space.balls().find_nearest(
       center_, bound_ + half_diagonal(), std::span(witnesses).subspan(count, nearby_balls));
   if (ball_count > 0) value_ = std::min(value_, witnesses[count].value(center_));
@@ -42,7 +50,9 @@ MaxMinSolution Cell::solve(const RemainingSpace& space) {
 DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
   for (std::size_t i = 0; i < witness_count_; ++i) {
-    query.bound = std::min(query.bound, (point - witnesses_[i]).norm());
+    // The boundary passes through every witness, be it a point or a ball.
+    const double distance = (point - witnesses_[i].center).norm() + witnesses_[i].radius;
+    query.bound = std::min(query.bound, distance);
   }
   return query;
 }
@@ -61,46 +71,55 @@ void Cell::measure(RemainingSpace& space) {
   } else {
     add_witness(witnesses_[0]);
   }
-  witnesses_[0] = sample.closest;
+  witnesses_[0] = {sample.closest};
   tighten(space);
 }
 
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
-  const bool across = probes_ == 0 && side_ == Side::inside;
-  const Eigen::Vector3d point =
-      across ? point_across() : Eigen::Vector3d(center_ + solve(space).point);
+  const Eigen::Vector3d point = probe_point(space);
   ++probes_;
   DistanceQuery query = make_query(point);
   if (std::abs(distance_) > (point - center_).norm()) query.side = side_;
   const DistanceSample sample = space.measure_solid(query);
-  add_witness(sample.closest);
+  // The ball around a point outside up to the boundary holds nothing of the solid.
+  add_witness(sample.distance < 0 ? Witness{point, -sample.distance} : Witness{sample.closest});
   tighten(space);
   return {point, std::min(sample.distance, space.balls().gap(point))};
 }
 
-// Beyond any medial sheet in the cell, on the line through the centre and its closest boundary
-// point: the two witnesses then face each other exactly.
-Eigen::Vector3d Cell::point_across() const {
-  const Eigen::Vector3d direction = (center_ - witnesses_[0]).normalized();
-  return center_ + 1.5 * half_size_ * direction;
+Eigen::Vector3d Cell::probe_point(const RemainingSpace& space) {
+  const Eigen::Vector3d from_boundary = (center_ - witnesses_[0].center).normalized();
+  switch (next_probe()) {
+    case Probe::outward: {
+      const double sign = side_ == Side::inside ? -1.0 : 1.0;
+      return witnesses_[0].center + sign * 6.0 * half_size_ * from_boundary;
+    }
+    case Probe::across:
+      // Beyond any medial sheet in the cell: the two witnesses then face each other exactly.
+      return center_ + 1.5 * half_size_ * from_boundary;
+    case Probe::peak:
+    case Probe::none:
+      break;
+  }
+  return center_ + solve(space).point;
 }
 
-// Remembers a boundary point. If there is no room it takes the place of the farthest on which the
-// bound does not rest; the first, which belongs to the centre, stays.
-void Cell::add_witness(const Eigen::Vector3d& point) {
+// If there is no room the witness takes the place of the farthest on which the bound does not rest;
+// the first, which belongs to the centre, stays.
+void Cell::add_witness(const Witness& witness) {
   if (witness_count_ < kept_witnesses) {
-    witnesses_[witness_count_++] = point;
+    witnesses_[witness_count_++] = witness;
     return;
   }
   std::size_t replaced = 1;
-  double farthest = -1.0;
+  double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < kept_witnesses; ++i) {
-    const double distance = (witnesses_[i] - center_).squaredNorm();
+    const double distance = witnesses_[i].value(center_);
     if ((binding_ >> i & 1U) != 0 || distance <= farthest) continue;
     replaced = i;
     farthest = distance;
   }
-  witnesses_[replaced] = point;
+  witnesses_[replaced] = witness;
 }
 
 Cell Cell::child(int octant) const {

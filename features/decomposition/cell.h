@@ -13,7 +13,7 @@ namespace mdbd {
 /// A cube of the octree with what is known of the balls centred in it. Object units.
 ///
 /// `bound` only falls: no ball centred in the cell is larger. It rests on the placed balls nearby
-/// and on a few boundary points, inherited from the parent and found by measuring.
+/// and on a few witnesses of the boundary, inherited from the parent and found by measuring.
 class Cell {
  public:
   Cell(const Eigen::Vector3d& center, double half_size, double bound);
@@ -32,7 +32,7 @@ class Cell {
   double value() const { return value_; }
 
   /// Whether another probe is likely to lower the bound more cheaply than a division.
-  bool wants_probe() const;
+  bool wants_probe() const { return next_probe() != Probe::none; }
 
   /// Lowers the bound by all witnesses known, without a distance query.
   void tighten(const RemainingSpace& space);
@@ -40,8 +40,8 @@ class Cell {
   /// Measures the centre.
   void measure(RemainingSpace& space);
 
-  /// Measures where the bound may be too high: first across the medial axis from the boundary point
-  /// nearest to the centre, then where the witnesses together allow the most.
+  /// Measures where that is likely to lower the bound most: outside the solid, across the medial
+  /// axis from the boundary point nearest to the centre, or where the witnesses allow the most.
   /// @returns the point and the value of d_i there
   std::pair<Eigen::Vector3d, double> probe(RemainingSpace& space);
 
@@ -61,10 +61,13 @@ class Cell {
   static constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
   static_assert(kept_witnesses + nearby_balls <= max_min_capacity);
 
+  enum class Probe : std::uint8_t { none, outward, across, peak };
+
   double half_diagonal() const;
-  Eigen::Vector3d point_across() const;
+  Probe next_probe() const;
+  Eigen::Vector3d probe_point(const RemainingSpace& space);
   DistanceQuery make_query(const Eigen::Vector3d& point) const;
-  void add_witness(const Eigen::Vector3d& point);
+  void add_witness(const Witness& witness);
   MaxMinSolution solve(const RemainingSpace& space);
 
   Eigen::Vector3d center_;
@@ -72,8 +75,9 @@ class Cell {
   double bound_;
   double distance_ = 0.0;  // signed, of the centre, once measured
   double value_ = 0.0;     // d_i at the centre, once measured
-  /// Boundary points; once measured, the first is the closest to the centre.
-  std::array<Eigen::Vector3d, kept_witnesses> witnesses_;
+  /// Boundary points and balls outside that touch the boundary; once the centre is measured, the
+  /// first is the boundary point closest to it.
+  std::array<Witness, kept_witnesses> witnesses_;
   std::uint32_t balls_seen_ = never;  // the bound accounts for so many balls
   std::uint8_t witness_count_ = 0;
   std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i

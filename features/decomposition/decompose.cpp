@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <queue>
 
 #include "features/core/errors.h"
@@ -177,7 +178,7 @@ class Search {
   DecompositionOptions options_;
   RemainingSpace space_;
   double scale_;
-  std::vector<Node> nodes_;
+  std::deque<Node> nodes_;  // never moved, so that growing needs no second copy
   std::vector<std::uint32_t> free_;  // nodes to be used again
   std::uint64_t cell_count_ = 0;
   std::priority_queue<Entry> cells_;

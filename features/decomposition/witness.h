@@ -12,7 +12,7 @@ namespace mdbd {
 
 /// A reason why no large ball fits near a point: no ball centred at x is larger than
 /// |x - center| - radius. A boundary point is a witness of radius zero, a placed ball one of its
-/// own radius. Object units.
+/// own radius, and so is any ball outside the solid. Object units.
 struct Witness {
   Eigen::Vector3d center;
   double radius = 0.0;

@@ -10,7 +10,7 @@ namespace mdbd {
 namespace {
 
 // A group counts as a dipole beyond this many times its radius (beta in Barill et al.).
-constexpr double accuracy = 2.0;
+constexpr double accuracy = 2.5;
 
 struct Dipole {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ class WindingNumber {
   /// @pre the tree outlives this object
   explicit WindingNumber(const TriangleTree& tree);
 
-  /// The winding number at a point (object units), to a few hundredths.
+  /// The winding number at a point (object units), to about 0.1.
   double operator()(const Eigen::Vector3d& point) const;
 
  private:

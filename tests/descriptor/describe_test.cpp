@@ -1,0 +1,52 @@
+#include "features/describe.h"
+
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "features/core/errors.h"
+#include "tests/support/mesh_writers.h"
+#include "tests/support/sample_meshes.h"
+#include "tests/support/temporary_directory.h"
+
+using namespace mdbd;
+using namespace mdbd::test;
+
+namespace {
+
+std::filesystem::path write(const TemporaryDirectory& folder, const std::string& name,
+                            const std::string& bytes) {
+  const std::filesystem::path path = folder.path() / name;
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("one shape in four formats has one descriptor") {
+  const TemporaryDirectory folder;
+  const TriangleMesh mesh = make_torus(1.0, 0.4, 20, 10);
+  Recipe recipe;
+  recipe.balls = 60;
+  const ShapeDescription off = describe_file(write(folder, "a.off", to_off(mesh)), recipe);
+  CHECK(off.format == "off");
+  CHECK(off.representation == "mesh");
+  CHECK(nlohmann::json::parse(off.statistics).at("watertight") == true);
+  CHECK(off.decomposition.balls.size() == 60);
+  const ShapeDescription obj = describe_file(write(folder, "a.obj", to_obj(mesh)), recipe);
+  const ShapeDescription ply = describe_file(write(folder, "a.PLY", to_ply_text(mesh)), recipe);
+  CHECK(obj.descriptor.values == off.descriptor.values);
+  CHECK(ply.descriptor.values == off.descriptor.values);
+  const ShapeDescription stl = describe_file(write(folder, "a.stl", to_stl_binary(mesh)), recipe);
+  REQUIRE(stl.descriptor.values.size() == 100);
+  CHECK(stl.descriptor.radii()[0] == Approx(off.descriptor.radii()[0]).epsilon(1e-6));
+}
+
+TEST_CASE("what encloses nothing is refused with a reason") {
+  const TemporaryDirectory folder;
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  CHECK_THROWS_AS(describe_file(write(folder, "a.off", to_off(mesh)), Recipe{}), InvalidInput);
+  CHECK_THROWS_WITH(describe_file(folder.path() / "a.off", Recipe{}),
+                    Catch::Contains("empty interior"));
+}
