@@ -78,13 +78,23 @@ class Search {
       const fs::path name = entry->path().filename();
       if (name.native().front() != '.') visit(entry->path());
     }
-    if (error) found_.unusable.push_back({folder, "folder " + reason_of(error.value())});
+    if (error) add_closed_folder(folder, error.value());
+  }
+
+  /// A folder whose entries cannot be listed, or not be looked at: one may be readable and yet not
+  /// searchable.
+  void add_closed_folder(const fs::path& folder, int error) {
+    found_.unusable.push_back({folder.string(), "folder " + reason_of(error)});
   }
 
   void visit(const fs::path& path) {
     struct stat status {};
     struct stat link {};
-    if (::lstat(path.c_str(), &link) != 0) return;  // gone since its folder was read
+    if (::lstat(path.c_str(), &link) != 0) {
+      // ENOENT: gone since its folder was read.
+      if (const int error = errno; error != ENOENT) add_closed_folder(path.parent_path(), error);
+      return;
+    }
     if (S_ISDIR(link.st_mode)) folders_.push_back(path.string());
     if (!has_mesh_extension(path)) return;
     if (::stat(path.c_str(), &status) == 0) {

@@ -34,8 +34,8 @@ struct Discovery {
 ///
 /// Hidden files and folders (".git") and links to folders are passed over, unless asked for by
 /// name. Unusable are: what has the ending of a model and is a folder (it is still searched), a
-/// broken link, a pipe, a socket or a device; a folder that cannot be read; a file asked for by
-/// name whose ending is not that of a model.
+/// broken link, a pipe, a socket or a device; a folder that cannot be read or searched; a file
+/// asked for by name whose ending is not that of a model.
 /// @throws IoError if one of the paths does not exist
 Discovery discover(std::span<const std::filesystem::path> paths);
 

@@ -95,14 +95,16 @@ TEST_CASE("paths asked for by name") {
                     Catch::Contains("missing.off: No such file"));
 }
 
-TEST_CASE("a folder that cannot be read is unusable") {
+TEST_CASE("a folder that cannot be read, or only listed, is unusable") {
   test::TemporaryDirectory folder;
   folder.write("closed/a.off", "");
+  folder.write("closed/b.off", "");
   folder.write("open.off", "");
-  fs::permissions(folder / "closed", fs::perms::none);
-  if (access((folder / "closed").c_str(), R_OK) != 0) {  // root may read everything
+  fs::permissions(folder / "closed", GENERATE(fs::perms::none, fs::perms::owner_read));
+  if (access((folder / "closed").c_str(), X_OK) != 0) {  // root may read everything
     const Discovery found = discover_one(folder.path());
     CHECK(found.files.size() == 1);
+    CHECK(found.unusable.size() == 1);
     CHECK_THAT(reason(found, folder / "closed"), Catch::Contains("Permission denied"));
   }
   fs::permissions(folder / "closed", fs::perms::owner_all);
