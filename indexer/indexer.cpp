@@ -187,9 +187,10 @@ class IndexRun {
       records_.erase(moved->path);
       count_known(with_file(*moved, file), summary_.moved);
     } else {
-      const ShapeRecord copy = with_file(known.front(), file);
-      store_.put(copy, store_.data(known.front().id));
-      count_known(copy, summary_.indexed);
+      ModelResult copy;
+      copy.record = with_file(known.front(), file);
+      copy.data = store_.data(known.front().id);
+      store_computed(copy);
     }
     return true;
   }

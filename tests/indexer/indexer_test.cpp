@@ -212,6 +212,19 @@ TEST_CASE("a copy is stored without computing") {
   CHECK(c.store->data(c.record("b.off")->id).balls.size() == 1);
 }
 
+TEST_CASE("a copy of a failed model is a failure of its own, not one of an earlier run") {
+  Collection c;
+  c.write("a.off", "bad");
+  c.write("b.off", "bad");
+  const IndexSummary summary = c.run();
+  REQUIRE(summary.failures.size() == 2);
+  CHECK_FALSE(summary.failures[0].is_old);
+  CHECK_FALSE(summary.failures[1].is_old);
+  CHECK(c.observer.reasons == std::vector<std::string>(2, "no solid"));
+  CHECK(c.record("b.off")->status == ShapeStatus::failed);
+  CHECK(c.run().failures[1].is_old);
+}
+
 TEST_CASE("a file moved in from a folder not asked for leaves that folder's record") {
   Collection c;
   c.write("one/a.off", "A");
