@@ -66,6 +66,13 @@ Database::Database(const std::filesystem::path& path, Access access,
 
 bool Database::is_read_only() const { return sqlite3_db_readonly(handle_.get(), "main") == 1; }
 
+bool Database::has_moved() const {
+  int moved = 0;
+  const int code = sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  if (code != SQLITE_OK) fail(code);
+  return moved != 0;
+}
+
 std::string Database::read_header(int size) const {
   sqlite3_file* file = nullptr;
   int code = sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file);

@@ -47,6 +47,9 @@ class Database {
   const std::filesystem::path& path() const { return path_; }
   /// Whether the file could be opened for reading only, although writing was asked for.
   bool is_read_only() const;
+  /// Whether something else, or nothing, lies at the path now: the file was moved, replaced or
+  /// removed, and what is written to it is lost.
+  bool has_moved() const;
   /// The first bytes of the file, filled up with zeros. They are read through SQLite's own file
   /// handle: to open and close the file once more would drop the locks of this process.
   std::string read_header(int size) const;

@@ -84,6 +84,7 @@ std::int64_t SqliteShapeStore::put(const ShapeRecord& record, const ShapeData& d
   Statement(database_, "DELETE FROM balls WHERE shape_id = ?").bind(id).run();
   if (record.status == ShapeStatus::indexed) put_data(id, data);
   transaction.commit();
+  require_in_place();
   return id;
 }
 
@@ -92,6 +93,7 @@ void SqliteShapeStore::touch(std::int64_t id, std::uint64_t file_size, std::int6
       .bind(static_cast<std::int64_t>(file_size), modified_ns, id)
       .run();
   require_changed(id);
+  require_in_place();
 }
 
 void SqliteShapeStore::move(std::int64_t id, const std::string& path, std::int64_t modified_ns) {
@@ -104,10 +106,12 @@ void SqliteShapeStore::move(std::int64_t id, const std::string& path, std::int64
       .run();
   require_changed(id);
   transaction.commit();
+  require_in_place();
 }
 
 void SqliteShapeStore::remove(std::int64_t id) {
   Statement(database_, "DELETE FROM shapes WHERE id = ?").bind(id).run();
+  require_in_place();
 }
 
 ShapeData SqliteShapeStore::data(std::int64_t id) const {
@@ -243,6 +247,14 @@ void SqliteShapeStore::put_data(std::int64_t id, const ShapeData& data) {
 void SqliteShapeStore::require_changed(std::int64_t id) const {
   if (database_.changes() == 1) return;
   throw StoreError(database_.path().string() + ": holds no model " + std::to_string(id));
+}
+
+// SQLite goes on writing to a file that has no name any more.
+void SqliteShapeStore::require_in_place() const {
+  if (!database_.has_moved()) return;
+  throw StoreError(database_.path().string() +
+                   ": was moved, replaced or removed while it was in use; run the same command "
+                   "again");
 }
 
 void SqliteShapeStore::fail_damaged(const std::string& what) const {

@@ -34,6 +34,7 @@ class SqliteShapeStore : public ShapeStore {
   std::int64_t put_record(const ShapeRecord& record);
   void put_data(std::int64_t id, const ShapeData& data);
   void require_changed(std::int64_t id) const;
+  void require_in_place() const;
   [[noreturn]] void fail_damaged(const std::string& what) const;
   std::size_t signature_size() const;
 

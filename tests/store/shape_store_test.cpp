@@ -230,3 +230,17 @@ TEST_CASE("readers see what another connection has committed") {
   CHECK(reader->vectors(signature_mdbd_100).size() == 1);
   CHECK(is_same(reader->data(1), make_data(1)));
 }
+
+TEST_CASE("a database that is removed or replaced while it is open is noticed") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const std::int64_t id = store->put(make_record("/a.off"), make_data(1));
+  std::filesystem::rename(folder / "a.db", folder / "b.db");
+  const bool is_replaced = GENERATE(false, true);
+  if (is_replaced) std::filesystem::copy_file(folder / "b.db", folder / "a.db");
+  const auto message = Contains("a.db: was moved, replaced or removed");
+  CHECK_THROWS_WITH(store->put(make_record("/b.off"), make_data(2)), message);
+  CHECK_THROWS_WITH(store->touch(id, 1, 1), message);
+  CHECK_THROWS_WITH(store->move(id, "/c.off", 1), message);
+  CHECK_THROWS_WITH(store->remove(id), message);
+}
