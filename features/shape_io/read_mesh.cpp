@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "features/core/errors.h"
 #include "features/shape_io/clean_mesh.h"
 #include "features/shape_io/input_file.h"
@@ -20,6 +22,8 @@ using MakePlain = PlainFile (*)(std::string_view bytes);
 constexpr std::array<std::string_view, 4> extensions = {".off", ".obj", ".ply", ".stl"};
 constexpr std::array<MakePlain, 4> make_plain = {plain_off, plain_obj, plain_ply, plain_stl};
 
+constexpr double smallest_extent = 1e-90;  // its cube fits double precision
+
 std::size_t format_of(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   const auto* found = std::ranges::find_if(
@@ -33,6 +37,13 @@ PolygonMesh read_polygons(const std::filesystem::path& path, std::size_t format)
     throw InvalidInput("the file is empty but for blanks");
   }
   return read_with_openmesh(make_plain[format](bytes));
+}
+
+void require_usable_extent(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  if (box.sizes().maxCoeff() >= smallest_extent) return;
+  throw InvalidInput("the model is smaller than 1e-90 units; scale it up");
 }
 
 }  // namespace
@@ -49,6 +60,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
     throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
   }
   CleanedMesh cleaned = clean_mesh(read_polygons(path, format));
+  require_usable_extent(cleaned.mesh);
 
   MeshFile file;
   file.format = extensions[format].substr(1);

@@ -204,6 +204,14 @@ TEST_CASE("Coordinates that are not finite or absurd are refused in every format
   }
 }
 
+TEST_CASE("A model too small to calculate with is refused") {
+  TriangleMesh mesh = make_cube();
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= 1e-80;
+  CHECK(reason_against(".off", to_off(mesh)).empty());
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex *= 1e-80;
+  CHECK_THAT(reason_against(".off", to_off(mesh)), Catch::Contains("smaller than 1e-90"));
+}
+
 TEST_CASE("Nothing is printed") {
   std::ostringstream printed;
   std::streambuf* const out = std::cout.rdbuf(printed.rdbuf());
