@@ -1,6 +1,7 @@
 #include "cli/program.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -17,8 +18,9 @@ namespace {
 void print_labelled(std::string_view program, std::string_view label, const char* colour,
                     std::string_view message) {
   const bool is_coloured = colour_allowed(stderr);
-  const std::string text = fmt::format("{}: {}{}:{} {}\n", program, is_coloured ? colour : "",
-                                       label, is_coloured ? "\x1b[0m" : "", message);
+  const std::string text =
+      fmt::format("{}: {}{}:{} {}\n", program, is_coloured ? colour : "", label,
+                  is_coloured ? "\x1b[0m" : "", printable_message(message));
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -47,6 +49,7 @@ void print_warning(std::string_view program, std::string_view message) {
 
 int run_program(CLI::App& app, int argc, char** argv, const std::function<ExitCode()>& body) {
   const std::string program = app.get_name();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of writing it
   try {
     app.set_version_flag("--version", fmt::format("{} {}", program, version()),
                          "Print the version and exit");

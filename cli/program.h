@@ -32,10 +32,10 @@ std::string_view version();
 /// @returns the exit code
 int run_program(CLI::App& app, int argc, char** argv, const std::function<ExitCode()>& body);
 
-/// Writes "NAME: error: MESSAGE" to standard error.
+/// Writes "NAME: error: MESSAGE" to standard error, on one line that is safe to show.
 void print_error(std::string_view program, std::string_view message);
 
-/// Writes "NAME: warning: MESSAGE" to standard error.
+/// Writes "NAME: warning: MESSAGE" to standard error, on one line that is safe to show.
 void print_warning(std::string_view program, std::string_view message);
 
 }  // namespace mdbd

@@ -38,6 +38,28 @@ bool is_control(std::string_view text, std::size_t position) {
   return byte < 0x20 || byte == 0x7F || (byte == 0xC2 && byte_at(text, position + 1) < 0xA0);
 }
 
+std::string escape(std::string_view text, bool escapes_backslash) {
+  std::string shown;
+  for (std::size_t position = 0; position < text.size();) {
+    const std::size_t length = utf8_length(text, position);
+    if (text[position] == '\n') {
+      shown += "\\n";
+    } else if (text[position] == '\t') {
+      shown += "\\t";
+    } else if (text[position] == '\\' && escapes_backslash) {
+      shown += "\\\\";
+    } else if (length == 0 || is_control(text, position)) {
+      for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
+        shown += fmt::format("\\x{:02x}", byte_at(text, position + i));
+      }
+    } else {
+      shown += text.substr(position, length);
+    }
+    position += std::max<std::size_t>(length, 1);
+  }
+  return shown;
+}
+
 }  // namespace
 
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
@@ -56,26 +78,8 @@ int terminal_width(std::FILE* stream) {
   return is_known ? size.ws_col : 80;
 }
 
-std::string printable(std::string_view text) {
-  std::string shown;
-  for (std::size_t position = 0; position < text.size();) {
-    const std::size_t length = utf8_length(text, position);
-    if (text[position] == '\n') {
-      shown += "\\n";
-    } else if (text[position] == '\t') {
-      shown += "\\t";
-    } else if (text[position] == '\\') {
-      shown += "\\\\";
-    } else if (length == 0 || is_control(text, position)) {
-      for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
-        shown += fmt::format("\\x{:02x}", byte_at(text, position + i));
-      }
-    } else {
-      shown += text.substr(position, length);
-    }
-    position += std::max<std::size_t>(length, 1);
-  }
-  return shown;
-}
+std::string printable(std::string_view text) { return escape(text, true); }
+
+std::string printable_message(std::string_view text) { return escape(text, false); }
 
 }  // namespace mdbd

@@ -20,4 +20,7 @@ int terminal_width(std::FILE* stream);
 /// hold any byte but zero.
 std::string printable(std::string_view text);
 
+/// As printable(), but a backslash stays: for messages, which may hold texts made printable before.
+std::string printable_message(std::string_view text);
+
 }  // namespace mdbd

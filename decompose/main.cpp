@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/program.h"
+#include "cli/terminal.h"
 #include "decompose/ball_output.h"
 #include "features/core/errors.h"
 
@@ -64,7 +65,9 @@ int main(int argc, char** argv) {
       mdbd::write_file(output, text);
     }
     const std::string shortage = mdbd::explain_shortage(result);
-    if (!shortage.empty()) fmt::print(stderr, "{}: {}\n", model.string(), shortage);
+    if (!shortage.empty()) {
+      fmt::print(stderr, "{}: {}\n", mdbd::printable(model.string()), shortage);
+    }
     return mdbd::ExitCode::done;
   });
 }

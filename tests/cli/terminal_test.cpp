@@ -23,6 +23,11 @@ TEST_CASE("printable shows control characters and bytes that are no UTF-8") {
   CHECK(printable(std::string_view("a\0b", 3)) == "a\\x00b");
 }
 
+TEST_CASE("printable_message may be applied to what is printable already") {
+  CHECK(printable_message("a.off\x1b[2J: line 1\nline 2") == "a.off\\x1b[2J: line 1\\nline 2");
+  CHECK(printable_message(printable("a\\b\x1b\n.off")) == printable("a\\b\x1b\n.off"));
+}
+
 TEST_CASE("a file is no terminal") {
   std::FILE* file = std::tmpfile();
   REQUIRE(file != nullptr);

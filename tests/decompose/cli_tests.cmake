@@ -15,6 +15,12 @@ mdbd_cli_test(NAME decompose/unknown_ending COMMAND mdbd-decompose ${cube} -o ba
   REGEXP "balls\\.txt: the ending must be \\.csv, \\.xyzr or \\.json")
 mdbd_cli_test(NAME decompose/unwritable COMMAND mdbd-decompose ${cube} --balls 1 -o none/balls.csv EXIT 1
   REGEXP "^mdbd-decompose: error: cannot write none/balls\\.csv: No such file")
+mdbd_cli_test(NAME decompose/file_too_large EXIT 1
+  COMMAND sh -c "ulimit -f 1 && $<TARGET_FILE:mdbd-decompose> '${cube}' --balls 50 -o balls.csv"
+  REGEXP "^mdbd-decompose: error: cannot write balls\\.csv: File too large")
+mdbd_cli_test(NAME decompose/name_that_steers_a_terminal EXIT 1
+  COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> \"$(printf 'none\\033[31m.off')\""
+  REGEXP "^mdbd-decompose: error: none\\\\x1b\\[31m\\.off: ")
 mdbd_cli_test(NAME decompose/damaged_file COMMAND mdbd-decompose ${damaged} EXIT 1
   REGEXP "^mdbd-decompose: error: [^\n]*damaged\\.off: [^\n]+\n$")
 mdbd_cli_test(NAME decompose/missing_file COMMAND mdbd-decompose none.off EXIT 1
