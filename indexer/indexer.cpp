@@ -62,14 +62,16 @@ class IndexRun {
 
   void load_records() {
     for (ShapeRecord& record : store_.shapes()) {
-      remember(record.content_hash);
+      remember(record);
       std::string path = record.path;
       records_.emplace(std::move(path), std::move(record));
     }
   }
 
-  void remember(const std::string& content_hash) {
-    if (!content_hash.empty()) known_hashes_.insert(content_hash);
+  void remember(const ShapeRecord& record) {
+    if (!record.content_hash.empty()) {
+      known_keys_.insert(content_key(record.content_hash, record.path));
+    }
   }
 
   const ShapeRecord* find_record(const std::string& path) const {
@@ -135,7 +137,7 @@ class IndexRun {
     const Job& job = running_[number] = std::move(pending_.front());
     pending_.pop_front();
     static const std::unordered_set<std::string> nothing;
-    const auto& known = job.must_compute ? nothing : known_hashes_;
+    const auto& known = job.must_compute ? nothing : known_keys_;
     pool_.start(number, [&](const SendOutput& send) {
       run_model_job(job.file.path, known, describe_, send);
     });
@@ -164,13 +166,17 @@ class IndexRun {
       store_.put(record, result.data);
       ++summary_.indexed;
     }
-    remember(record.content_hash);
+    remember(record);
   }
 
-  /// Brings the record of a file up to date whose content the store has.
+  /// Brings the record of a file up to date whose content the store has, read in the same way.
   /// @returns false if it has it no more
   bool use_known(const FoundFile& file, const std::string& content_hash) {
-    const std::vector<ShapeRecord> known = store_.find_by_hash(content_hash);
+    std::vector<ShapeRecord> known = store_.find_by_hash(content_hash);
+    const std::string key = content_key(content_hash, file.path);
+    std::erase_if(known, [&](const ShapeRecord& record) {
+      return content_key(content_hash, record.path) != key;
+    });
     if (known.empty()) return false;
     const auto own = std::ranges::find(known, file.path, &ShapeRecord::path);
     if (own != known.end()) {
@@ -220,7 +226,7 @@ class IndexRun {
   IndexObserver& observer_;
   ProcessPool pool_;
   std::unordered_map<std::string, ShapeRecord> records_;  ///< as they were at the start, by path
-  std::unordered_set<std::string> known_hashes_;
+  std::unordered_set<std::string> known_keys_;
   std::deque<Job> pending_;
   std::unordered_map<std::size_t, Job> running_;  ///< by number
   std::size_t next_job_ = 0;

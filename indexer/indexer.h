@@ -53,11 +53,11 @@ class IndexObserver {
 /// Brings a store up to date with what was found at and below some paths.
 ///
 /// A file of the size and time that are stored costs nothing more. Otherwise its content is hashed:
-/// content that the store has is not computed again but noted as unchanged, moved (its old file,
-/// also at or below the paths, is gone) or copied. Everything else goes to `describe`, in a process
-/// of its own. A failure is stored with its reason. Failures of content, budget and crashes are
-/// tried again when the content changes, or with `force`; unreadable files at every run. Only
-/// records of files at or below the paths are touched.
+/// content that the store has under the same ending is not computed again but noted as unchanged,
+/// moved (its old file, also at or below the paths, is gone) or copied. Everything else goes to
+/// `describe`, in a process of its own. A failure is stored with its reason. Failures of content,
+/// budget and crashes are tried again when the content changes, or with `force`; unreadable files
+/// at every run. Only records of files at or below the paths are touched.
 ///
 /// Each model is stored as soon as it is computed, so that a killed run loses only the models in
 /// flight. Records do not depend on the number of jobs, but the ids of new ones may.

@@ -1,6 +1,7 @@
 #include "indexer/model_job.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <new>
 
@@ -124,14 +125,22 @@ ModelResult read_output(const ProcessOutcome& outcome) {
 
 }  // namespace
 
+std::string content_key(const std::string& content_hash, const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return content_hash + ending;
+}
+
 void run_model_job(const std::filesystem::path& path,
-                   const std::unordered_set<std::string>& known_hashes,
+                   const std::unordered_set<std::string>& known_keys,
                    const DescribeFunction& describe, const SendOutput& send) {
   std::string hash;
   const ModelResult result = catch_failures([&] {
     hash = content_hash(path);
     send(hash);
-    if (known_hashes.contains(hash)) return ModelResult{.is_known = true, .record = {}, .data = {}};
+    if (known_keys.contains(content_key(hash, path))) {
+      return ModelResult{.is_known = true, .record = {}, .data = {}};
+    }
     return succeeded(describe(path));
   });
   if (hash.empty()) send(std::string(hash_length, '0'));

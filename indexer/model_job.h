@@ -14,6 +14,9 @@ namespace mdbd {
 /// Computes what the store keeps of a file; throws as describe_file() does.
 using DescribeFunction = std::function<ShapeDescription(const std::filesystem::path&)>;
 
+/// What the result of a file depends on: its content, and its ending, which says how to read it.
+std::string content_key(const std::string& content_hash, const std::filesystem::path& path);
+
 /// What became of one file. The fields of the record that belong to the file and not to its content
 /// are empty: id, path, file_size, modified_ns, indexed_at.
 struct ModelResult {
@@ -22,11 +25,11 @@ struct ModelResult {
   ShapeData data;
 };
 
-/// The work of a job: hashes a file and, unless its content is among `known_hashes`, computes its
+/// The work of a job: hashes a file and, unless its key is among `known_keys`, computes its
 /// description; sends both, the hash first, so that it is there even if the rest is not.
 /// What fails becomes part of the result; only std::bad_alloc is thrown.
 void run_model_job(const std::filesystem::path& path,
-                   const std::unordered_set<std::string>& known_hashes,
+                   const std::unordered_set<std::string>& known_keys,
                    const DescribeFunction& describe, const SendOutput& send);
 
 /// The result of a job that ran run_model_job, however it ended.

@@ -225,6 +225,19 @@ TEST_CASE("a copy of a failed model is a failure of its own, not one of an earli
   CHECK(c.run().failures[1].is_old);
 }
 
+TEST_CASE("the same content under another ending is another model, for it is read in another way") {
+  Collection c;
+  const fs::path wrong = c.write("a.stl", "bad");
+  c.write("b.off", "B");
+  c.run();
+  fs::rename(wrong, c.models / "a.ply");
+  c.write("b.obj", "B");
+  c.write("c.OFF", "B");
+  c.run();
+  CHECK(c.described() == 2);
+  CHECK(c.record("a.ply")->status == ShapeStatus::failed);
+}
+
 TEST_CASE("a file moved in from a folder not asked for leaves that folder's record") {
   Collection c;
   c.write("one/a.off", "A");

@@ -75,7 +75,8 @@ TEST_CASE("known content is not described") {
   test::TemporaryDirectory folder;
   const auto path = folder.write("a.off", "content");
   const auto never = [](const auto&) -> ShapeDescription { throw std::logic_error("called"); };
-  const ModelResult result = read_model_result(run(path, never, {content_hash(path)}));
+  const std::string key = content_key(content_hash(path), "elsewhere.OFF");
+  const ModelResult result = read_model_result(run(path, never, {key}));
   CHECK(result.is_known);
   CHECK(result.record.content_hash == content_hash(path));
 }
