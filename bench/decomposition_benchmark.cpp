@@ -27,7 +27,7 @@ std::vector<DistanceQuery> random_queries() {
 }
 
 void distance_query(benchmark::State& state) {
-  const MeshDistanceField field(torus_of(state.range(0)));
+  const MeshDistanceField field(torus_of(state.range(0)), true);
   const std::vector<DistanceQuery> queries = random_queries();
   std::vector<DistanceSample> samples(queries.size());
   for (auto _ : state) {
@@ -50,7 +50,7 @@ void distance_by_brute_force(benchmark::State& state) {
 BENCHMARK(distance_by_brute_force)->Arg(1'000)->Arg(20'000);
 
 void decomposition(benchmark::State& state) {
-  const MeshDistanceField field(torus_of(state.range(0)));
+  const MeshDistanceField field(torus_of(state.range(0)), true);
   const DecompositionOptions options{.balls = static_cast<int>(state.range(1)),
                                      .radius_tolerance = std::pow(10.0, -state.range(2))};
   BallDecomposition result;

@@ -86,6 +86,7 @@ std::string format_json(const DecomposedModel& model) {
                          {"termination", to_string(decomposition.termination)},
                          {"balls", json_balls(decomposition)},
                          {"upper_bounds", decomposition.upper_bounds},
+                         {"certified", decomposition.is_certified},
                          {"contacts", json_contacts(model.contacts)},
                          {"certificate",
                           {{"containment_violation", model.certificate.containment_violation},

@@ -3,27 +3,19 @@
 #include <fmt/format.h>
 
 #include "features/core/errors.h"
-#include "features/decomposition/decompose.h"
-#include "features/distance/mesh_distance_field.h"
-#include "features/shape_io/read_mesh.h"
+#include "features/shape.h"
 
 namespace mdbd {
 namespace {
 
-DecomposedModel decompose_mesh(const std::filesystem::path& path, const Recipe& recipe) {
-  const MeshFile file = read_mesh(path);
-  const MeshDistanceField field(file.mesh);
-  BallDecomposition decomposition = decompose(field, {.balls = recipe.balls,
-                                                      .radius_tolerance = recipe.radius_tolerance,
-                                                      .minimum_radius = recipe.minimum_radius});
-  if (decomposition.balls.empty()) {
-    throw InvalidInput("empty interior: the surface encloses no ball of the minimum radius");
-  }
+DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& recipe) {
+  const Shape shape = load_shape(path);
+  BallDecomposition decomposition = decompose_shape(shape, recipe);
   ContactGraph contacts = build_contact_graph(decomposition.balls, recipe.contact_tolerance);
-  const Certificate certificate = check_certificate(field, decomposition);
+  const Certificate certificate = check_certificate(*shape.field, decomposition);
   return {.path = path.string(),
-          .representation = "mesh",
-          .statistics = to_json(file.statistics),
+          .representation = shape.representation,
+          .statistics = shape.statistics,
           .recipe = recipe,
           .decomposition = std::move(decomposition),
           .contacts = std::move(contacts),
@@ -34,7 +26,7 @@ DecomposedModel decompose_mesh(const std::filesystem::path& path, const Recipe& 
 
 DecomposedModel decompose_model(const std::filesystem::path& path, const Recipe& recipe) {
   try {
-    return decompose_mesh(path, recipe);
+    return decompose_file(path, recipe);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", path.string(), error.what()));
   } catch (const IoError& error) {

@@ -18,9 +18,8 @@ namespace mdbd {
 /// processes may have one database open.
 ///
 /// Every function throws StoreError when the database cannot do what is asked or is found damaged;
-/// the message begins with the path of the database. Changes are durable when a function returns: a
-/// killed process loses none, a loss of power at most the last ones, and neither leaves half a
-/// model.
+/// the message begins with the path of the database. Changes are durable when a function returns:
+/// neither a kill nor a loss of power loses one or leaves half a model.
 class ShapeStore {
  public:
   virtual ~ShapeStore() = default;

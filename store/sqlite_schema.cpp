@@ -121,6 +121,12 @@ Recipe read_recipe(const Database& database) {
   while (statement.step()) entries.emplace_back(statement.text(0), statement.text(1));
   try {
     Recipe recipe = recipe_from_entries(entries);
+    if (recipe.algorithm_version != current_algorithm_version) {
+      refuse(database, "made by version " + std::to_string(recipe.algorithm_version) +
+                           " of the algorithm, and this mdbd has version " +
+                           std::to_string(current_algorithm_version) +
+                           ", whose numbers differ; index again into another --db");
+    }
     validate(recipe);
     return recipe;
   } catch (const InvalidInput& error) {

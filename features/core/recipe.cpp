@@ -93,6 +93,8 @@ std::string describe_difference(const Recipe& left, const Recipe& right) {
 }
 
 void validate(const Recipe& recipe) {
+  require(recipe.algorithm_version == current_algorithm_version,
+          "made by another version of the algorithm, whose numbers cannot be compared");
   require(recipe.balls >= 1 && recipe.balls <= 100'000, "balls must be from 1 to 100000");
   require(recipe.radius_tolerance >= 1e-9 && recipe.radius_tolerance <= 0.5,
           "radius tolerance must be from 1e-9 to 0.5");

@@ -10,10 +10,13 @@ namespace mdbd {
 /// The name of the signature of the paper's section 5: 50 radii and 50 random-walk sums.
 inline constexpr std::string_view signature_mdbd_100 = "mdbd-100";
 
+/// Raised whenever the same parameters give other numbers than before.
+inline constexpr int current_algorithm_version = 1;
+
 /// Every parameter that changes numbers. A database holds vectors of one recipe only; vectors of
 /// different recipes are never compared.
 struct Recipe {
-  int algorithm_version = 1;        ///< raised when the same parameters give other numbers
+  int algorithm_version = current_algorithm_version;
   int balls = 500;                  ///< n, how many balls are placed at most
   double radius_tolerance = 1e-3;   ///< epsilon, relative to the radius of the ball placed
   double minimum_radius = 1e-3;     ///< smaller balls are not placed; relative to R
@@ -41,7 +44,7 @@ Recipe recipe_from_entries(const RecipeEntries& entries);
 /// Empty if they are equal.
 std::string describe_difference(const Recipe& left, const Recipe& right);
 
-/// Checks that every parameter is in its range.
+/// Checks that every parameter is in its range and that this program has the algorithm.
 /// @throws InvalidInput naming the parameter
 void validate(const Recipe& recipe);
 

@@ -28,6 +28,8 @@ struct BallDecomposition {
   std::vector<Ball> balls;
   /// upper_bounds[i]: when ball i was placed, no ball larger than this fitted. Same size as balls.
   std::vector<double> upper_bounds;
+  /// Whether the upper bounds are proved. Where the boundary has holes they are only estimates.
+  bool is_certified = true;
   double scale = 0.0;  ///< R, the radius of the smallest ball that encloses the boundary
   Termination termination = Termination::ball_count;
   DecompositionCost cost;

@@ -38,8 +38,9 @@ MaxMinSolution Cell::solve(const RemainingSpace& space) {
 
   std::array<AffineFunction, kept_witnesses + nearby_balls> functions;
   for (std::size_t i = 0; i < count; ++i) {
-    limit(witnesses[i].largest_value(center_, half_size_));
-    functions[i] = witnesses[i].overestimate(center_, half_size_);
+    const CubeBound bound = witnesses[i].bound_over_cube(center_, half_size_);
+    limit(bound.largest);
+    functions[i] = bound.model;
   }
   const MaxMinSolution solution = maximise_minimum({functions.data(), count}, half_size_);
   limit(solution.value);
@@ -51,7 +52,7 @@ DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
   for (std::size_t i = 0; i < witness_count_; ++i) {
     // The boundary passes through every witness, be it a point or a ball.
-    const double distance = (point - witnesses_[i].center).norm() + witnesses_[i].radius;
+    const double distance = witnesses_[i].value(point) + 2.0 * witnesses_[i].radius;
     query.bound = std::min(query.bound, distance);
   }
   return query;
@@ -66,12 +67,13 @@ void Cell::measure(RemainingSpace& space) {
   distance_ = sample.distance;
   value_ = sample.distance;
   limit(distance_ + half_diagonal());
+  side_is_inherited_ = space.is_closed() && std::abs(distance_) > 0.5 * half_diagonal();
   if (witness_count_ == 0) {
     witness_count_ = 1;
   } else {
     add_witness(witnesses_[0]);
   }
-  witnesses_[0] = {sample.closest};
+  witnesses_[0] = {sample.closest, 0.0, sample.piece};
   tighten(space);
 }
 
@@ -79,10 +81,11 @@ std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
   const Eigen::Vector3d point = probe_point(space);
   ++probes_;
   DistanceQuery query = make_query(point);
-  if (std::abs(distance_) > (point - center_).norm()) query.side = side_;
+  if (space.is_closed() && std::abs(distance_) > (point - center_).norm()) query.side = side_;
   const DistanceSample sample = space.measure_solid(query);
   // The ball around a point outside up to the boundary holds nothing of the solid.
-  add_witness(sample.distance < 0 ? Witness{point, -sample.distance} : Witness{sample.closest});
+  add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
+                                  : Witness{sample.closest, 0.0, sample.piece});
   tighten(space);
   return {point, std::min(sample.distance, space.balls().gap(point))};
 }
@@ -131,13 +134,13 @@ Cell Cell::child(int octant) const {
   child.is_measured_ = false;
   child.probes_ = 0;
   child.balls_seen_ = never;
-  // The side is known if the boundary cannot lie between the two centres.
-  if (!is_measured_ || std::abs(distance_) <= child.half_diagonal()) child.side_ = Side::unknown;
+  if (!side_is_inherited_) child.side_ = Side::unknown;
+  child.side_is_inherited_ = false;
   return child;
 }
 
 double Cell::reach(const Eigen::Vector3d& from) const {
-  return Witness{from}.largest_value(center_, half_size_);
+  return ((center_ - from).cwiseAbs().array() + half_size_).matrix().norm();
 }
 
 }  // namespace mdbd

@@ -83,7 +83,8 @@ class Cell {
   std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i
   std::uint8_t probes_ = 0;
   bool is_measured_ = false;
-  Side side_ = Side::unknown;  // of the centre
+  Side side_ = Side::unknown;       // of the centre
+  bool side_is_inherited_ = false;  // the boundary cannot lie between the centre and a child's
 };
 
 }  // namespace mdbd

@@ -12,7 +12,9 @@ struct Certificate {
   double maximality_gap = 0.0;     ///< max over balls of upper_bound_i / r_i - 1
 };
 
-/// Re-checks a decomposition against distances alone; quadratic in the number of balls.
+/// Re-checks that balls are contained and disjoint with distances alone, and sums up what the
+/// search promised of their maximality. Quadratic in the number of balls.
+/// @pre upper_bounds and balls have the same size; scale > 0
 Certificate check_certificate(const DistanceField& field, const BallDecomposition& decomposition);
 
 }  // namespace mdbd

@@ -28,6 +28,7 @@ struct Entry {
 struct Node {
   Cell cell;
   std::uint32_t candidate = no_candidate;  // found from this cell or an ancestor
+  bool is_misleading = false;              // a climb from the centre led to nothing
 };
 
 struct Candidate {
@@ -49,6 +50,7 @@ class Search {
   BallDecomposition run() {
     BallDecomposition result;
     result.scale = scale_;
+    result.is_certified = space_.is_closed();
     const auto wanted = static_cast<std::size_t>(options_.balls);
     while (result.balls.size() < wanted) {
       const double bound = refine_until_certain();
@@ -89,8 +91,8 @@ class Search {
       cell.tighten(space_);
     } else if (!cell.is_measured()) {
       cell.measure(space_);
-    } else if (cell.value() > best_radius()) {
-      climb(index, cell.center());
+    } else if (!nodes_[index].is_misleading && cell.value() > best_radius()) {
+      nodes_[index].is_misleading = !climb(index, cell.center());
     } else if (cell.wants_probe()) {
       const auto [point, value] = cell.probe(space_);
       if (value > best_radius()) climb(index, point);
@@ -101,15 +103,18 @@ class Search {
     keep(index);
   }
 
-  // Climbs from a point that is better than every candidate to one that is better still.
-  void climb(std::uint32_t index, const Eigen::Vector3d& start) {
+  // Climbs from a point that seems better than every candidate to one that is better still. False
+  // if there is none, which happens where the sign of the field jumps at a hole of the boundary.
+  bool climb(std::uint32_t index, const Eigen::Vector3d& start) {
     Node& node = nodes_[index];
     const LocalMaximum maximum =
         find_local_maximum(space_, start, node.cell.half_size(), polish_precision * scale_);
+    if (maximum.ball.radius <= best_radius()) return false;
     node.candidate = static_cast<std::uint32_t>(candidates_.size());
     candidates_.push_back({maximum, space_.balls().size()});
     ranking_.push({maximum.ball.radius, node.candidate});
     apply_basin(node);
+    return true;
   }
 
   // A cell inside the basin of a candidate has nothing better.
@@ -178,7 +183,7 @@ class Search {
   DecompositionOptions options_;
   RemainingSpace space_;
   double scale_;
-  std::deque<Node> nodes_;  // never moved, so that growing needs no second copy
+  std::deque<Node> nodes_;           // never moved, so that growing needs no second copy
   std::vector<std::uint32_t> free_;  // nodes to be used again
   std::uint64_t cell_count_ = 0;
   std::priority_queue<Entry> cells_;

@@ -34,7 +34,7 @@ class Ascent {
  private:
   double measure(const Eigen::Vector3d& point) {
     const DistanceSample sample = space_.measure_solid({.point = point});
-    remember({sample.closest});
+    remember({sample.closest, 0.0, sample.piece});
     double value = sample.distance;
     std::array<Witness, 1> ball;
     if (space_.balls().find_nearest(point, value, ball) > 0) {

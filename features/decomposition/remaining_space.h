@@ -19,6 +19,7 @@ class RemainingSpace {
     return field_.measure(query);
   }
 
+  bool is_closed() const { return field_.is_closed(); }
   const BallSet& balls() const { return balls_; }
   void place(const Ball& ball) { balls_.add(ball); }
   std::uint64_t query_count() const { return query_count_; }

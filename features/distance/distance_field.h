@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "features/core/ball.h"
+#include "features/core/triangle.h"
 
 namespace mdbd {
 
@@ -24,19 +25,25 @@ struct DistanceQuery {
 struct DistanceSample {
   double distance = 0.0;  ///< to the boundary, positive inside the solid and negative outside
   Eigen::Vector3d closest = Eigen::Vector3d::Zero();  ///< a closest point of the boundary
+  /// A flat piece of the boundary that contains `closest`, if the representation has any; owned by
+  /// the field. It says more about the distances nearby than the point alone.
+  const TriangleCorners* piece = nullptr;
 };
 
 /// All that a decomposition knows of a shape: distances. One implementation for each
 /// representation.
 ///
-/// The distance is 1-Lipschitz where the boundary is closed. Where it has a hole, only the unsigned
-/// distance is, and the sign changes across the hole.
+/// The signed distance is 1-Lipschitz if the boundary is closed. Where it has a hole, only the
+/// unsigned distance is, and the sign changes across the hole.
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
 
   /// The smallest ball that encloses the boundary; its radius is the scale R. Positive radius.
   virtual Ball enclosing_ball() const = 0;
+
+  /// Whether the boundary is closed, so that the sign changes at the boundary alone.
+  virtual bool is_closed() const = 0;
 
   /// Measures samples[i] at queries[i]. Thread-safe. The result does not depend on the batch.
   /// @pre queries.size() == samples.size(); all points are finite

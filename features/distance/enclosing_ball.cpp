@@ -39,10 +39,11 @@ std::optional<Ball> circumscribed_ball(const Points& points) {
 std::optional<Ball> smallest_ball(Points& support, const Eigen::Vector3d& added) {
   Points all = support;
   all.push_back(added);
+  const std::size_t old_size = support.size();
   std::optional<Ball> best;
-  for (unsigned subset = 0; subset < 1U << support.size(); ++subset) {
+  for (unsigned subset = 0; subset < 1U << old_size; ++subset) {
     Points chosen{added};
-    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    for (std::size_t i = 0; i < old_size; ++i) {
       if ((subset >> i & 1U) != 0) chosen.push_back(all[i]);
     }
     if (chosen.size() > max_support) continue;

@@ -15,8 +15,9 @@ const TriangleMesh& require_triangles(const TriangleMesh& mesh) {
 
 }  // namespace
 
-MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh)
+MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh, bool is_closed)
     : enclosing_ball_(mdbd::enclosing_ball(require_triangles(mesh).vertices)),
+      is_closed_(is_closed),
       tree_(mesh),
       winding_number_(tree_) {
   if (!(enclosing_ball_.radius > 0)) throw InvalidInput("all vertices of the mesh coincide");
@@ -30,7 +31,8 @@ void MeshDistanceField::measure(std::span<const DistanceQuery> queries,
     const double distance = std::sqrt(closest.squared_distance);
     const bool is_inside = query.side == Side::unknown ? winding_number_(query.point) > 0.5
                                                        : query.side == Side::inside;
-    samples[i] = {is_inside ? distance : -distance, closest.point};
+    samples[i] = {is_inside ? distance : -distance, closest.point,
+                  &tree_.triangles()[closest.triangle]};
   }
 }
 

@@ -10,8 +10,9 @@ namespace mdbd {
 /// the generalised winding number is above one half.
 class MeshDistanceField final : public DistanceField {
  public:
+  /// @param is_closed whether the mesh is known to be watertight
   /// @throws InvalidInput if the mesh has no triangles or no extent
-  explicit MeshDistanceField(const TriangleMesh& mesh);
+  MeshDistanceField(const TriangleMesh& mesh, bool is_closed);
 
   // The winding number refers to the tree beside it.
   MeshDistanceField(const MeshDistanceField&) = delete;
@@ -19,11 +20,13 @@ class MeshDistanceField final : public DistanceField {
 
   using DistanceField::measure;
   Ball enclosing_ball() const override { return enclosing_ball_; }
+  bool is_closed() const override { return is_closed_; }
   void measure(std::span<const DistanceQuery> queries,
                std::span<DistanceSample> samples) const override;
 
  private:
   Ball enclosing_ball_;
+  bool is_closed_;
   TriangleTree tree_;
   WindingNumber winding_number_;
 };

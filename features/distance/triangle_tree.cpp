@@ -198,38 +198,6 @@ void TriangleTree::set_child(std::uint32_t node, int child, const Range& range) 
 
 namespace {
 
-// The closest point of a triangle by the Voronoi regions of its corners and edges (Ericson,
-// Real-Time Collision Detection, section 5.1.5).
-Eigen::Vector3d closest_on_triangle(const TriangleCorners& corners, const Eigen::Vector3d& point) {
-  const auto& [a, b, c] = corners;
-  const Eigen::Vector3d ab = b - a;
-  const Eigen::Vector3d ac = c - a;
-  const Eigen::Vector3d ap = point - a;
-  const double d1 = ab.dot(ap);
-  const double d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Eigen::Vector3d bp = point - b;
-  const double d3 = ab.dot(bp);
-  const double d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + (d1 / (d1 - d3)) * ab;
-  const Eigen::Vector3d cp = point - c;
-  const double d5 = ab.dot(cp);
-  const double d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 / (d2 - d6)) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
-  }
-  const double sum = va + vb + vc;
-  if (!(sum > 0)) return a;  // no area left after rounding: the edges were tried above
-  const double scale = 1.0 / sum;
-  return a + (vb * scale) * ab + (vc * scale) * ac;
-}
-
 // A point as the tree's boxes see it: a small margin around it makes up for the rounding of its
 // coordinates and of the box tests, so that no box is ever left out wrongly.
 struct BoxQuery {
@@ -276,7 +244,7 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
   const BoxQuery query(tree, point);
   const double to_tree_units = tree.inverse_extent() * tree.inverse_extent() * rounding;
 
-  ClosestPoint best{point, std::numeric_limits<double>::infinity()};
+  ClosestPoint best{point, std::numeric_limits<double>::infinity(), 0};
   auto reach = static_cast<float>(bound * bound * to_tree_units);
   std::array<StackEntry, TriangleTree::max_stack_size> stack;
   int size = 0;
@@ -302,9 +270,9 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
       continue;
     }
     for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i) {
-      const Eigen::Vector3d candidate = closest_on_triangle(tree.triangles()[i], point);
+      const Eigen::Vector3d candidate = closest_point(tree.triangles()[i], point);
       const double squared = (candidate - point).squaredNorm();
-      if (squared < best.squared_distance) best = {candidate, squared};
+      if (squared < best.squared_distance) best = {candidate, squared, i};
     }
     reach = std::min(reach, static_cast<float>(best.squared_distance * to_tree_units));
   }

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "features/core/box.h"
+#include "features/core/triangle.h"
 #include "features/shape_io/triangle_mesh.h"
 
 namespace mdbd {
-
-/// The corners of a triangle, in object units.
-using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
 /// Four children of a tree node, laid out for vector instructions.
 ///
@@ -61,6 +59,7 @@ class TriangleTree {
 struct ClosestPoint {
   Eigen::Vector3d point;    ///< object units
   double squared_distance;  ///< object units squared
+  std::uint32_t triangle;   ///< index into TriangleTree::triangles()
 };
 
 /// Finds a closest point of the tree's triangles, exact but for the rounding of doubles.

@@ -157,3 +157,9 @@ TEST_CASE("every parameter has its range") {
   for (const double x : {-1.0, 1e6, HUGE_VAL, nan}) CHECK_FALSE(is_valid(&Recipe::walk_weight, x));
   CHECK_FALSE(is_valid(&Recipe::scaling, std::string("volume")));
 }
+
+TEST_CASE("a recipe of another algorithm is refused") {
+  mdbd::Recipe recipe;
+  recipe.algorithm_version = mdbd::current_algorithm_version + 1;
+  CHECK_THROWS_AS(mdbd::validate(recipe), mdbd::InvalidInput);
+}

@@ -82,7 +82,7 @@ std::vector<double> radii(const BallDecomposition& result) {
 }  // namespace
 
 TEST_CASE("the unit cube: 0.5, eight of 0.133975, then 24 of 0.09335") {
-  const BallDecomposition result = decompose(MeshDistanceField(make_cube()), {.balls = 33});
+  const BallDecomposition result = decompose(MeshDistanceField(make_cube(), true), {.balls = 33});
   REQUIRE(result.balls.size() == 33);
   CHECK(result.balls[0].radius == Approx(0.5).epsilon(1e-9));
   const double corner = (std::sqrt(3.0) - 1) / (2 * (std::sqrt(3.0) + 1));
@@ -101,7 +101,7 @@ TEST_CASE("a ball holds one ball and then nothing") {
 
 TEST_CASE("an equilateral prism: its inscribed ball, then six in the corners") {
   const BallDecomposition result =
-      decompose(MeshDistanceField(make_triangular_prism()), {.balls = 7});
+      decompose(MeshDistanceField(make_triangular_prism(), true), {.balls = 7});
   REQUIRE(result.balls.size() == 7);
   CHECK(result.balls[0].radius == Approx(1.0).epsilon(1e-9));
   const double corner = (std::sqrt(5.0) - 1) / (std::sqrt(5.0) + 1);
@@ -123,13 +123,13 @@ TEST_CASE("every promise holds by brute force") {
   SECTION("plate") { mesh = make_box({1.0, 0.7, 0.1}); }
   SECTION("torus") { mesh = make_torus(1.0, 0.4, 24, 12); }
   const BallDecomposition result =
-      decompose(MeshDistanceField(mesh), {.balls = 60, .radius_tolerance = tolerance});
+      decompose(MeshDistanceField(mesh, true), {.balls = 60, .radius_tolerance = tolerance});
   CHECK(result.balls.size() == 60);
   check_promises(mesh, result, tolerance);
 }
 
 TEST_CASE("the certificate of a decomposition is clean, and a spoiled one is found out") {
-  const MeshDistanceField field(make_torus(1.0, 0.4, 24, 12));
+  const MeshDistanceField field(make_torus(1.0, 0.4, 24, 12), true);
   BallDecomposition result = decompose(field, {.balls = 50});
   const Certificate certificate = check_certificate(field, result);
   CHECK(certificate.containment_violation <= tolerances::containment);
@@ -142,7 +142,7 @@ TEST_CASE("the certificate of a decomposition is clean, and a spoiled one is fou
 }
 
 TEST_CASE("two runs give the same bits") {
-  const MeshDistanceField field(make_torus(1.0, 0.4, 24, 12));
+  const MeshDistanceField field(make_torus(1.0, 0.4, 24, 12), true);
   const BallDecomposition first = decompose(field, {.balls = 80});
   const BallDecomposition second = decompose(field, {.balls = 80});
   REQUIRE(first.balls.size() == second.balls.size());
@@ -155,7 +155,7 @@ TEST_CASE("two runs give the same bits") {
 }
 
 TEST_CASE("more balls continue the same list") {
-  const MeshDistanceField field(make_triangular_prism());
+  const MeshDistanceField field(make_triangular_prism(), true);
   const std::vector<double> few = radii(decompose(field, {.balls = 20}));
   std::vector<double> many = radii(decompose(field, {.balls = 40}));
   many.resize(few.size());
@@ -164,7 +164,8 @@ TEST_CASE("more balls continue the same list") {
 
 TEST_CASE("motion, reflection and scale leave the radii of a shape with isolated maxima") {
   const TriangleMesh mesh = make_triangular_prism();
-  const std::vector<double> expected = radii(decompose(MeshDistanceField(mesh), {.balls = 7}));
+  const std::vector<double> expected =
+      radii(decompose(MeshDistanceField(mesh, true), {.balls = 7}));
   std::mt19937 random(5);
   for (int round = 0; round < 5; ++round) {
     const double scale = std::pow(10.0, round - 2);
@@ -177,7 +178,8 @@ TEST_CASE("motion, reflection and scale leave the radii of a shape with isolated
       moved = transformed(moved, Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)));
       for (Triangle& triangle : moved.triangles) std::swap(triangle[0], triangle[1]);
     }
-    const std::vector<double> found = radii(decompose(MeshDistanceField(moved), {.balls = 7}));
+    const std::vector<double> found =
+        radii(decompose(MeshDistanceField(moved, true), {.balls = 7}));
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       CHECK(found[i] / scale == Approx(expected[i]).epsilon(1e-8));
@@ -199,14 +201,36 @@ TEST_CASE("surfaces that enclose nothing have an empty interior") {
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}};
   }
-  const BallDecomposition result = decompose(MeshDistanceField(mesh));
+  const BallDecomposition result = decompose(MeshDistanceField(mesh, false));
   CHECK(result.balls.empty());
   CHECK(result.termination == Termination::empty_interior);
 }
 
+TEST_CASE("open shapes are decomposed without a proof, and end") {
+  TriangleMesh open = make_cube();
+  open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4);
+  std::mt19937 random(6);
+  for (int round = 0; round < 6; ++round) {
+    Eigen::Affine3d motion(random_rotation(random));
+    motion.scale(Eigen::Vector3d(1.3, 1.0, 0.3 + 0.2 * round));
+    const TriangleMesh mesh = transformed(open, motion);
+    const BallDecomposition result = decompose(MeshDistanceField(mesh, false), {.balls = 20});
+    CHECK_FALSE(result.is_certified);
+    CHECK(result.balls.size() == 20);
+    for (std::size_t i = 0; i < result.balls.size(); ++i) {
+      const Ball& ball = result.balls[i];
+      const std::span<const Ball> earlier(result.balls.data(), i);
+      CHECK(ball.radius > 0);
+      CHECK(ball.radius <= mesh_distance(mesh, ball.center) + 1e-9);
+      CHECK(ball.radius <= ball_distance(earlier, ball.center) + 1e-9);
+      CHECK(mesh_winding(mesh, ball.center) > 0.4);
+    }
+  }
+}
+
 TEST_CASE("no ball is smaller than the minimum radius") {
   const BallDecomposition result =
-      decompose(MeshDistanceField(make_cube()), {.balls = 1000, .minimum_radius = 0.1});
+      decompose(MeshDistanceField(make_cube(), true), {.balls = 1000, .minimum_radius = 0.1});
   CHECK(result.termination == Termination::minimum_radius);
   CHECK(result.balls.size() == 33);
   CHECK(result.balls.back().radius > 0.1 * result.scale);

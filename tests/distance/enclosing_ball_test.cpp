@@ -77,6 +77,29 @@ TEST_CASE("an enclosing ball encloses all points and is the smallest") {
   }
 }
 
+// At the smallest ball the points on the surface hold its centre in their hull: moving the centre
+// any way makes the ball larger.
+TEST_CASE("no enclosing ball of many random sets can shrink by moving") {
+  std::mt19937 random(4);
+  for (int round = 0; round < 3000; ++round) {
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 4 + round % 50; ++i) points.push_back(random_point(random, 1.0));
+    const Ball ball = enclosing_ball(points);
+    std::vector<Eigen::Vector3d> held;
+    for (const Eigen::Vector3d& point : points) {
+      const double distance = (point - ball.center).norm();
+      REQUIRE(distance <= ball.radius * (1 + 1e-12));
+      if (distance >= ball.radius * (1 - 1e-9)) held.push_back(point - ball.center);
+    }
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Vector3d direction = random_point(random, 1.0).normalized();
+      double lowest = 1.0;
+      for (const Eigen::Vector3d& point : held) lowest = std::min(lowest, direction.dot(point));
+      REQUIRE(lowest <= 1e-7);
+    }
+  }
+}
+
 TEST_CASE("the enclosing ball moves with its points") {
   std::mt19937 random(3);
   std::vector<Eigen::Vector3d> points;

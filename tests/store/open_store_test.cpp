@@ -137,6 +137,14 @@ TEST_CASE("a database of another program is refused and kept") {
   CHECK(mode.text(0) == "delete");
 }
 
+TEST_CASE("a database of another version of the algorithm is refused") {
+  const TemporaryDirectory folder;
+  make_store_with_one_model(folder / "a.db");
+  Database(folder / "a.db", Access::read_write)
+      .execute("UPDATE recipe SET value = '99' WHERE name = 'algorithm_version'");
+  check_both_refuse(folder / "a.db", "made by version 99 of the algorithm");
+}
+
 TEST_CASE("a database of a newer schema is refused") {
   const TemporaryDirectory folder;
   make_store_with_one_model(folder / "a.db");

@@ -12,13 +12,14 @@ namespace mdbd::test {
 class AnalyticField : public DistanceField {
  public:
   using DistanceField::measure;
+  bool is_closed() const override { return true; }
   void measure(std::span<const DistanceQuery> queries,
                std::span<DistanceSample> samples) const override {
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const Eigen::Vector3d& x = queries[i].point;
       const Eigen::Vector3d closest = closest_point(x);
       const double distance = (x - closest).norm();
-      samples[i] = {contains(x) ? distance : -distance, closest};
+      samples[i] = {.distance = contains(x) ? distance : -distance, .closest = closest};
     }
   }
 

@@ -1,0 +1,29 @@
+#include "features/shape.h"
+
+#include "features/core/errors.h"
+#include "features/decomposition/decompose.h"
+#include "features/distance/mesh_distance_field.h"
+#include "features/shape_io/read_mesh.h"
+
+namespace mdbd {
+
+Shape load_shape(const std::filesystem::path& path) {
+  const MeshFile file = read_mesh(path);
+  return {.format = file.format,
+          .representation = "mesh",
+          .statistics = to_json(file.statistics),
+          .field = std::make_unique<MeshDistanceField>(file.mesh, file.statistics.watertight)};
+}
+
+BallDecomposition decompose_shape(const Shape& shape, const Recipe& recipe) {
+  BallDecomposition decomposition =
+      decompose(*shape.field, {.balls = recipe.balls,
+                               .radius_tolerance = recipe.radius_tolerance,
+                               .minimum_radius = recipe.minimum_radius});
+  if (decomposition.balls.empty()) {
+    throw InvalidInput("empty interior: the surface encloses no ball of the minimum radius");
+  }
+  return decomposition;
+}
+
+}  // namespace mdbd

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "features/core/recipe.h"
+#include "features/decomposition/ball_decomposition.h"
+#include "features/distance/distance_field.h"
+
+namespace mdbd {
+
+/// A shape read from a file, ready to be measured. The one place where a representation is chosen.
+struct Shape {
+  std::string format;          ///< of the file: "off", "obj", …
+  std::string representation;  ///< "mesh"
+  std::string statistics;      ///< a JSON object: what was read and what was done to it
+  std::unique_ptr<const DistanceField> field;
+};
+
+/// Reads a shape.
+/// @throws IoError if the file cannot be read
+/// @throws InvalidInput if it is no usable shape; the message does not name the file
+Shape load_shape(const std::filesystem::path& path);
+
+/// Decomposes a shape as the recipe says.
+/// @throws InvalidInput if it encloses no ball of the minimum radius
+BallDecomposition decompose_shape(const Shape& shape, const Recipe& recipe);
+
+}  // namespace mdbd
