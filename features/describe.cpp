@@ -1,12 +1,10 @@
 #include "features/describe.h"
 
 #include "features/descriptor/compute_descriptor.h"
-#include "features/shape.h"
 
 namespace mdbd {
 
-ShapeDescription describe_file(const std::filesystem::path& path, const Recipe& recipe) {
-  const Shape shape = load_shape(path);
+ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe) {
   ShapeDescription description{.format = shape.format,
                                .representation = shape.representation,
                                .statistics = shape.statistics,
@@ -14,6 +12,10 @@ ShapeDescription describe_file(const std::filesystem::path& path, const Recipe& 
                                .descriptor = {}};
   description.descriptor = compute_descriptor(description.decomposition, recipe);
   return description;
+}
+
+ShapeDescription describe_file(const std::filesystem::path& path, const Recipe& recipe) {
+  return describe_shape(load_shape(path), recipe);
 }
 
 }  // namespace mdbd

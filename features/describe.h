@@ -6,6 +6,7 @@
 #include "features/core/descriptor.h"
 #include "features/core/recipe.h"
 #include "features/decomposition/ball_decomposition.h"
+#include "features/shape.h"
 
 namespace mdbd {
 
@@ -18,7 +19,11 @@ struct ShapeDescription {
   Descriptor descriptor;
 };
 
-/// Reads a shape, decomposes it and computes its descriptor.
+/// Decomposes a shape and computes its descriptor.
+/// @throws InvalidInput if it encloses nothing
+ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe);
+
+/// Reads a shape and describes it.
 /// @throws IoError if the file cannot be read
 /// @throws InvalidInput if it is no usable shape or encloses nothing; the message does not name the
 ///         file

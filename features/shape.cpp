@@ -7,13 +7,20 @@
 
 namespace mdbd {
 
-Shape load_shape(const std::filesystem::path& path) {
-  const MeshFile file = read_mesh(path);
+namespace {
+
+Shape to_shape(const MeshFile& file) {
   return {.format = file.format,
           .representation = "mesh",
           .statistics = to_json(file.statistics),
           .field = std::make_unique<MeshDistanceField>(file.mesh, file.statistics.watertight)};
 }
+
+}  // namespace
+
+Shape load_shape(const std::filesystem::path& path) { return to_shape(read_mesh(path)); }
+
+Shape make_mesh_shape(const TriangleMesh& mesh) { return to_shape(make_mesh(mesh)); }
 
 BallDecomposition decompose_shape(const Shape& shape, const Recipe& recipe) {
   BallDecomposition decomposition =

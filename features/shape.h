@@ -7,6 +7,7 @@
 #include "features/core/recipe.h"
 #include "features/decomposition/ball_decomposition.h"
 #include "features/distance/distance_field.h"
+#include "features/shape_io/triangle_mesh.h"
 
 namespace mdbd {
 
@@ -22,6 +23,10 @@ struct Shape {
 /// @throws IoError if the file cannot be read
 /// @throws InvalidInput if it is no usable shape; the message does not name the file
 Shape load_shape(const std::filesystem::path& path);
+
+/// The shape of a mesh that is in memory, cleaned in the way of read_mesh().
+/// @throws InvalidInput if it is no usable shape
+Shape make_mesh_shape(const TriangleMesh& mesh);
 
 /// Decomposes a shape as the recipe says.
 /// @throws InvalidInput if it encloses no ball of the minimum radius

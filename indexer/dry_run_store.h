@@ -36,6 +36,7 @@ class DryRunStore final : public ShapeStore {
   void touch(std::int64_t, std::uint64_t, std::int64_t) override {}
   void move(std::int64_t, const std::string&, std::int64_t) override {}
   void remove(std::int64_t) override {}
+  void put_vector(std::int64_t, std::string_view, std::span<const float>) override {}
 
  private:
   std::unique_ptr<const ShapeStore> store_;

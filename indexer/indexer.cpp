@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "indexer/discover.h"
+#include "collection/discover.h"
 
 namespace fs = std::filesystem;
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "indexer/discover.h"
-#include "indexer/model_job.h"
-#include "indexer/process_pool.h"
+#include "collection/discover.h"
+#include "collection/model_job.h"
+#include "collection/process_pool.h"
 #include "store/shape_store.h"
 
 namespace mdbd {

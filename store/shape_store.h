@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,13 @@ class ShapeStore {
 
   /// Vector and balls of one model; empty vectors if it failed.
   virtual ShapeData data(std::int64_t id) const = 0;
+
+  /// Stores one more signature of an indexed model, in place of what was stored under its name. It
+  /// goes when the model is put again.
+  /// @pre the signature is not mdbd-100, which put() stores; all numbers are finite
+  /// @throws StoreError also if a precondition does not hold or there is no such model
+  virtual void put_vector(std::int64_t id, std::string_view signature,
+                          std::span<const float> values) = 0;
 
   /// All vectors of a signature, ordered by path; of one state of the collection, even if another
   /// process writes meanwhile.

@@ -47,7 +47,7 @@ bool all_finite(const std::vector<Ball>& balls) {
   return std::all_of(balls.begin(), balls.end(), is_finite);
 }
 
-bool all_finite(const std::vector<float>& values) {
+bool all_finite(std::span<const float> values) {
   return std::all_of(values.begin(), values.end(),
                      [](float value) { return std::isfinite(value); });
 }
@@ -114,6 +114,25 @@ void SqliteShapeStore::remove(std::int64_t id) {
   require_in_place();
 }
 
+void SqliteShapeStore::put_vector(std::int64_t id, std::string_view signature,
+                                  std::span<const float> values) {
+  if (signature == signature_mdbd_100) {
+    throw StoreError(database_.path().string() + ": mdbd-100 is stored with its model only");
+  }
+  if (!all_finite(values)) {
+    throw StoreError(database_.path().string() + ": a number of a vector of " +
+                     std::string(signature) + " is not finite");
+  }
+  const Blob vector = encode_floats(values);
+  Statement(database_,
+            "INSERT OR REPLACE INTO vectors (shape_id, signature, \"values\")"
+            " SELECT id, ?, ? FROM shapes WHERE id = ? AND status = ?")
+      .bind(signature, std::span<const std::byte>(vector), id, to_string(ShapeStatus::indexed))
+      .run();
+  require_changed(id);
+  require_in_place();
+}
+
 ShapeData SqliteShapeStore::data(std::int64_t id) const {
   const Transaction reading(database_, Transaction::Kind::reading);
   Statement row(database_,
@@ -126,7 +145,7 @@ ShapeData SqliteShapeStore::data(std::int64_t id) const {
   }
   if (row.text(1) != to_string(ShapeStatus::indexed)) return {};
   const std::string path = row.text(0);
-  return {read_balls(row.bytes(3), path), read_vector(row.bytes(2), path)};
+  return {read_balls(row.bytes(3), path), read_signature(row.bytes(2), path)};
 }
 
 // One statement sees one state of the database, however long it runs and whoever writes meanwhile.
@@ -139,7 +158,8 @@ std::vector<StoredVector> SqliteShapeStore::vectors(std::string_view signature) 
   row.bind(to_string(ShapeStatus::indexed), signature);
   while (row.step()) {
     std::string path = row.text(1);
-    std::vector<float> values = read_vector(row.bytes(3), path);
+    std::vector<float> values = signature == signature_mdbd_100 ? read_signature(row.bytes(3), path)
+                                                                : read_vector(row.bytes(3), path);
     result.push_back({row.integer(0), std::move(path), row.real(2), std::move(values)});
   }
   return result;
@@ -178,12 +198,21 @@ ShapeRecord SqliteShapeStore::read_record(const Statement& row) const {
   return record;
 }
 
-std::vector<float> SqliteShapeStore::read_vector(std::span<const std::byte> bytes,
-                                                 const std::string& path) const {
+std::vector<float> SqliteShapeStore::read_signature(std::span<const std::byte> bytes,
+                                                    const std::string& path) const {
   const std::size_t expected = signature_size() * bytes_per_float;
   if (bytes.size() != expected) {
     fail_damaged("vector of " + path + ": " + std::to_string(bytes.size()) + " bytes instead of " +
                  std::to_string(expected));
+  }
+  return read_vector(bytes, path);
+}
+
+std::vector<float> SqliteShapeStore::read_vector(std::span<const std::byte> bytes,
+                                                 const std::string& path) const {
+  if (bytes.size() % bytes_per_float != 0) {
+    fail_damaged("vector of " + path + ": " + std::to_string(bytes.size()) +
+                 " bytes, no multiple of " + std::to_string(bytes_per_float));
   }
   std::vector<float> values = decode_floats(bytes);
   if (!all_finite(values)) fail_damaged("vector of " + path + ": a number is not finite");

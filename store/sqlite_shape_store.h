@@ -21,6 +21,8 @@ class SqliteShapeStore : public ShapeStore {
   void touch(std::int64_t id, std::uint64_t file_size, std::int64_t modified_ns) override;
   void move(std::int64_t id, const std::string& path, std::int64_t modified_ns) override;
   void remove(std::int64_t id) override;
+  void put_vector(std::int64_t id, std::string_view signature,
+                  std::span<const float> values) override;
   ShapeData data(std::int64_t id) const override;
   std::vector<StoredVector> vectors(std::string_view signature) const override;
 
@@ -29,6 +31,8 @@ class SqliteShapeStore : public ShapeStore {
   std::vector<ShapeRecord> select(std::string_view condition, const Values&... values) const;
   ShapeRecord read_record(const Statement& row) const;
   std::vector<float> read_vector(std::span<const std::byte> bytes, const std::string& path) const;
+  std::vector<float> read_signature(std::span<const std::byte> bytes,
+                                    const std::string& path) const;
   std::vector<Ball> read_balls(std::span<const std::byte> bytes, const std::string& path) const;
   void check_can_be_stored(const ShapeRecord& record, const ShapeData& data) const;
   std::int64_t put_record(const ShapeRecord& record);

@@ -46,6 +46,18 @@ void require_usable_extent(const TriangleMesh& mesh) {
   throw InvalidInput("the model is smaller than 1e-90 units; scale it up");
 }
 
+MeshFile clean(const PolygonMesh& polygons) {
+  CleanedMesh cleaned = clean_mesh(polygons);
+  require_usable_extent(cleaned.mesh);
+  MeshFile file;
+  file.statistics = cleaned.statistics;
+  file.mesh = std::move(cleaned.mesh);
+  if (file.statistics.orientation == Orientation::inverted) {
+    for (Triangle& triangle : file.mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return file;
+}
+
 }  // namespace
 
 std::span<const std::string_view> mesh_file_extensions() { return extensions; }
@@ -59,17 +71,20 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   if (format == extensions.size()) {
     throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
   }
-  CleanedMesh cleaned = clean_mesh(read_polygons(path, format));
-  require_usable_extent(cleaned.mesh);
-
-  MeshFile file;
+  MeshFile file = clean(read_polygons(path, format));
   file.format = extensions[format].substr(1);
-  file.statistics = cleaned.statistics;
-  file.mesh = std::move(cleaned.mesh);
-  if (file.statistics.orientation == Orientation::inverted) {
-    for (Triangle& triangle : file.mesh.triangles) std::swap(triangle[1], triangle[2]);
-  }
   return file;
+}
+
+MeshFile make_mesh(const TriangleMesh& mesh) {
+  PolygonMesh polygons{.vertices = mesh.vertices,
+                       .file_vertices = mesh.vertices.size(),
+                       .file_faces = mesh.triangles.size()};
+  for (const Triangle& triangle : mesh.triangles) {
+    polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
+    polygons.face_ends.push_back(polygons.corners.size());
+  }
+  return clean(polygons);
 }
 
 }  // namespace mdbd

@@ -12,7 +12,7 @@ namespace mdbd {
 
 /// A mesh as read from a file, with the record of what it is and what was done to it.
 struct MeshFile {
-  std::string format;  ///< "off", "obj", "ply" or "stl"
+  std::string format;  ///< "off", "obj", "ply" or "stl"; empty if there is no file
   TriangleMesh mesh;   ///< oriented outward if the file was inverted as a whole
   MeshStatistics statistics;
 };
@@ -31,5 +31,9 @@ bool has_mesh_extension(const std::filesystem::path& path);
 /// @throws InvalidInput if the content is no usable mesh; the message gives the reason without the
 ///         path
 MeshFile read_mesh(const std::filesystem::path& path);
+
+/// A mesh in memory, cleaned in the same way; its format is empty.
+/// @throws InvalidInput if no face remains
+MeshFile make_mesh(const TriangleMesh& mesh);
 
 }  // namespace mdbd

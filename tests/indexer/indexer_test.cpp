@@ -410,6 +410,7 @@ TEST_CASE("a store that fails ends the run") {
     void touch(std::int64_t, std::uint64_t, std::int64_t) override {}
     void move(std::int64_t, const std::string&, std::int64_t) override {}
     void remove(std::int64_t) override {}
+    void put_vector(std::int64_t, std::string_view, std::span<const float>) override {}
     ShapeData data(std::int64_t) const override { return {}; }
     std::vector<StoredVector> vectors(std::string_view) const override { return {}; }
 

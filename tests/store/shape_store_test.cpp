@@ -244,3 +244,36 @@ TEST_CASE("a database that is removed or replaced while it is open is noticed") 
   CHECK_THROWS_WITH(store->move(id, "/c.off", 1), message);
   CHECK_THROWS_WITH(store->remove(id), message);
 }
+
+TEST_CASE("further signatures stand beside mdbd-100 until the model is put again") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const std::int64_t id = store->put(make_record("/a.off"), make_data(1));
+  const std::int64_t other = store->put(make_record("/b.off"), make_data(2));
+  store->put_vector(id, "esf", std::vector<float>{1, 2, 3});
+  store->put_vector(id, "esf", std::vector<float>{4, 5});
+
+  const std::vector<StoredVector> vectors = store->vectors("esf");
+  REQUIRE(vectors.size() == 1);
+  CHECK(vectors[0].shape_id == id);
+  CHECK(vectors[0].values == std::vector<float>{4, 5});
+  CHECK(is_same(store->data(id), make_data(1)));
+  CHECK(store->vectors(signature_mdbd_100).size() == 2);
+
+  store->put(make_record("/a.off"), make_data(1));
+  CHECK(store->vectors("esf").empty());
+  CHECK(is_same(store->data(other), make_data(2)));
+}
+
+TEST_CASE("a further signature needs its model, finite numbers and a name of its own") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const std::vector<float> values{1, 2};
+  CHECK_THROWS_AS(store->put_vector(7, "esf", values), StoreError);
+  const std::int64_t failed = store->put(make_failed_record("/a.off"), {});
+  CHECK_THROWS_AS(store->put_vector(failed, "esf", values), StoreError);
+  const std::int64_t id = store->put(make_record("/b.off"), make_data(1));
+  CHECK_THROWS_AS(store->put_vector(id, signature_mdbd_100, values), StoreError);
+  CHECK_THROWS_AS(store->put_vector(id, "esf", std::vector<float>{std::nanf("")}), StoreError);
+  CHECK(store->vectors("esf").empty());
+}

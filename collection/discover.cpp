@@ -1,4 +1,4 @@
-#include "indexer/discover.h"
+#include "collection/discover.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -5,8 +5,8 @@
 #include <string>
 #include <unordered_set>
 
+#include "collection/process_pool.h"
 #include "features/describe.h"
-#include "indexer/process_pool.h"
 #include "store/shape_record.h"
 
 namespace mdbd {

@@ -1,4 +1,4 @@
-#include "indexer/process_pool.h"
+#include "collection/process_pool.h"
 
 #include <csignal>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "indexer/model_job.h"
+#include "collection/model_job.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "indexer/discover.h"
+#include "collection/discover.h"
 
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
