@@ -25,7 +25,8 @@ struct Variant {
   /// Names the change with all its parameters and seeds, for people and as a key of the cache:
   /// "noise 0.5 %, seed 1". Empty: the model as it is.
   std::string name;
-  /// Loads the shape of a file. It may depend on the name and on the path's bytes only.
+  /// Loads the shape of a file. It may depend on the variant's name and on the file's content and
+  /// ending only, not on its path: copies of a file share their results.
   /// @throws IoError, InvalidInput
   std::function<Shape(const std::filesystem::path&)> load;
 };
@@ -71,8 +72,10 @@ struct CacheOptions {
 };
 
 /// Descriptions of models and of changed copies of them, kept in a database: what is there and
-/// whose file has the size and time of then is not computed again. Failures are kept, too. Every
-/// model is computed in a process of its own, with a budget.
+/// whose file has the size and time of then is not computed again, nor is content that is known
+/// from another file. Failures are kept, too; only files that could not be read are tried again.
+/// Every model is computed in a process of its own, with a budget, and stored as soon as it is
+/// done. Results do not depend on the number of jobs.
 class ModelCache {
  public:
   /// @throws StoreError, IoError
@@ -84,16 +87,20 @@ class ModelCache {
   /// @throws Interrupted, StoreError, IoError if no process can be started
   DescribedModels describe(std::span<const LabelledModel> models, const Variant& variant);
 
-  /// Computes a further signature of models.
-  /// @pre the models were described as they are
+  /// Computes a further signature of models; empty also for models that cannot be described as they
+  /// are.
+  /// @pre the models were described as they are; the signature has a name that describe() does not
+  ///      use: not mdbd-100
   /// @throws as describe
   SignatureVectors compute_signature(std::span<const LabelledModel> models,
                                      const FileSignature& signature);
 
-  /// Every failure that was met, in the order of the calls and of the models.
+  /// Every failure that was met, once, in the order of the calls and of the models.
   const std::vector<EvaluationFailure>& failures() const { return failures_; }
 
  private:
+  void add_failure(EvaluationFailure failure);
+
   CacheOptions options_;
   std::unique_ptr<ShapeStore> store_;
   EvaluationProgress& progress_;
