@@ -8,8 +8,7 @@ namespace mdbd {
 Descriptor compute_descriptor(const BallDecomposition& decomposition, const Recipe& recipe) {
   const std::vector<Ball>& balls = decomposition.balls;
   const ContactGraph graph = build_contact_graph(balls, recipe.contact_tolerance);
-  const WalkSums walk =
-      walk_sums(graph, balls, recipe.descriptor_balls, recipe.walk_steps, recipe.walk_damping);
+  const RandomWalk walk = random_walk(graph, balls, recipe.walk_steps);
   Descriptor descriptor;
   descriptor.radius_count = recipe.descriptor_balls;
   descriptor.walk_is_defined = walk.is_defined;
@@ -18,7 +17,9 @@ Descriptor compute_descriptor(const BallDecomposition& decomposition, const Reci
     const double radius = exists ? balls[i].radius / decomposition.scale : 0.0;
     descriptor.values.push_back(static_cast<float>(radius));
   }
-  for (const double sum : walk.sums) descriptor.values.push_back(static_cast<float>(sum));
+  for (const double sum : walk_sums(walk, recipe.descriptor_balls, recipe.walk_damping)) {
+    descriptor.values.push_back(static_cast<float>(sum));
+  }
   return descriptor;
 }
 

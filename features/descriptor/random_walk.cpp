@@ -29,22 +29,30 @@ std::vector<double> step(const ContactGraph& graph, const std::vector<double>& d
 
 }  // namespace
 
-WalkSums walk_sums(const ContactGraph& graph, std::span<const Ball> balls, int counted_balls,
-                   int steps, double damping) {
-  const WalkSums lost{std::vector<double>(steps, 0.0), false};
+RandomWalk random_walk(const ContactGraph& graph, std::span<const Ball> balls, int steps) {
+  const std::vector<double> zeros(balls.size(), 0.0);
+  const RandomWalk lost{std::vector<std::vector<double>>(steps, zeros), false};
   std::vector<double> distribution;
   for (const Ball& ball : balls) distribution.push_back(ball.radius);
   if (!normalise(distribution)) return lost;
 
-  WalkSums result;
-  const auto counted = std::min<std::size_t>(counted_balls, balls.size());
+  RandomWalk walk;
   for (int t = 1; t <= steps; ++t) {
     distribution = step(graph, distribution);
     if (!normalise(distribution)) return lost;
-    const double sum = std::accumulate(distribution.begin(), distribution.begin() + counted, 0.0);
-    result.sums.push_back(std::pow(damping, t) * sum);
+    walk.distributions.push_back(distribution);
   }
-  return result;
+  return walk;
+}
+
+std::vector<double> walk_sums(const RandomWalk& walk, int counted_balls, double damping) {
+  std::vector<double> sums;
+  for (const std::vector<double>& distribution : walk.distributions) {
+    const auto counted = std::min<std::size_t>(counted_balls, distribution.size());
+    const double sum = std::accumulate(distribution.begin(), distribution.begin() + counted, 0.0);
+    sums.push_back(std::pow(damping, static_cast<int>(sums.size()) + 1) * sum);
+  }
+  return sums;
 }
 
 }  // namespace mdbd

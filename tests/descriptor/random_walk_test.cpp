@@ -14,45 +14,67 @@ std::vector<Ball> balls_of(const std::vector<double>& radii) {
   return balls;
 }
 
+void check_close(const std::vector<double>& values, const std::vector<double>& expected) {
+  REQUIRE(values.size() == expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i) CHECK(values[i] == Approx(expected[i]));
+}
+
 }  // namespace
 
 TEST_CASE("on a single edge the two probabilities change places") {
-  const ContactGraph graph{{{1}, {0}}};
-  const WalkSums walk = walk_sums(graph, balls_of({3.0, 1.0}), 1, 4, 0.9);
+  const RandomWalk walk = random_walk({{{1}, {0}}}, balls_of({3.0, 1.0}), 4);
   REQUIRE(walk.is_defined);
-  const std::vector<double> expected{0.25, 0.75, 0.25, 0.75};
+  REQUIRE(walk.distributions.size() == 4);
   for (int t = 1; t <= 4; ++t) {
-    CHECK(walk.sums[t - 1] == Approx(std::pow(0.9, t) * expected[t - 1]));
+    const bool is_even = t % 2 == 0;
+    check_close(walk.distributions[t - 1], {is_even ? 0.75 : 0.25, is_even ? 0.25 : 0.75});
   }
 }
 
 TEST_CASE("on a star the centre hands its mass to the leaves in equal parts") {
   const ContactGraph graph{{{1, 2, 3, 4}, {0}, {0}, {0}, {0}}};
-  const std::vector<Ball> balls = balls_of({4.0, 1.0, 1.0, 1.0, 1.0});
-  const WalkSums center = walk_sums(graph, balls, 1, 3, 1.0);
-  for (const double sum : center.sums) CHECK(sum == Approx(0.5));
-  const WalkSums three = walk_sums(graph, balls, 3, 1, 1.0);
-  CHECK(three.sums[0] == Approx(0.5 + 2 * 0.125));
+  const RandomWalk walk = random_walk(graph, balls_of({4.0, 1.0, 1.0, 1.0, 1.0}), 3);
+  REQUIRE(walk.distributions.size() == 3);
+  for (const auto& distribution : walk.distributions) {
+    check_close(distribution, {0.5, 0.125, 0.125, 0.125, 0.125});
+  }
 }
 
 TEST_CASE("balls without contacts lose their mass, the rest is scaled to one") {
-  const ContactGraph graph{{{}, {2}, {1}}};
-  const WalkSums walk = walk_sums(graph, balls_of({6.0, 3.0, 1.0}), 2, 2, 1.0);
+  const RandomWalk walk = random_walk({{{}, {2}, {1}}}, balls_of({6.0, 3.0, 1.0}), 2);
   CHECK(walk.is_defined);
-  CHECK(walk.sums[0] == Approx(0.25));
-  CHECK(walk.sums[1] == Approx(0.75));
+  check_close(walk.distributions.at(0), {0.0, 0.25, 0.75});
+  check_close(walk.distributions.at(1), {0.0, 0.75, 0.25});
+}
+
+TEST_CASE("an uneven walk by hand: a path of three balls with a fourth in the middle") {
+  // p^0 = (4, 3, 2, 1) / 10; the degrees are 1, 3, 1, 1.
+  const RandomWalk walk =
+      random_walk({{{1}, {0, 2, 3}, {1}, {1}}}, balls_of({4.0, 3.0, 2.0, 1.0}), 2);
+  check_close(walk.distributions.at(0), {0.1, 0.7, 0.1, 0.1});
+  check_close(walk.distributions.at(1), {0.7 / 3, 0.3, 0.7 / 3, 0.7 / 3});
+}
+
+TEST_CASE("sums count the first balls and are damped by a power of lambda") {
+  const RandomWalk walk{{{0.5, 0.2, 0.3}, {0.1, 0.6, 0.3}}, true};
+  check_close(walk_sums(walk, 1, 1.0), {0.5, 0.1});
+  check_close(walk_sums(walk, 2, 0.5), {0.5 * 0.7, 0.25 * 0.7});
 }
 
 TEST_CASE("counting all balls gives the damping alone") {
   const ContactGraph graph{{{1, 2}, {0, 2}, {0, 1}}};
-  const WalkSums walk = walk_sums(graph, balls_of({5.0, 2.0, 1.0}), 50, 50, 0.9);
-  REQUIRE(walk.sums.size() == 50);
-  for (int t = 1; t <= 50; ++t) CHECK(walk.sums[t - 1] == Approx(std::pow(0.9, t)));
+  const RandomWalk walk = random_walk(graph, balls_of({5.0, 2.0, 1.0}), 50);
+  const std::vector<double> sums = walk_sums(walk, 50, 0.9);
+  REQUIRE(sums.size() == 50);
+  for (int t = 1; t <= 50; ++t) CHECK(sums[t - 1] == Approx(std::pow(0.9, t)));
 }
 
 TEST_CASE("without edges the walk is undefined and zero") {
-  const WalkSums walk = walk_sums({{{}, {}}}, balls_of({2.0, 1.0}), 2, 3, 0.9);
+  const RandomWalk walk = random_walk({{{}, {}}}, balls_of({2.0, 1.0}), 3);
   CHECK_FALSE(walk.is_defined);
-  CHECK(walk.sums == std::vector<double>{0, 0, 0});
-  CHECK_FALSE(walk_sums({}, {}, 2, 3, 0.9).is_defined);
+  CHECK(walk.distributions == std::vector<std::vector<double>>(3, {0.0, 0.0}));
+  CHECK(walk_sums(walk, 2, 0.9) == std::vector<double>{0, 0, 0});
+  const RandomWalk empty = random_walk({}, {}, 3);
+  CHECK_FALSE(empty.is_defined);
+  CHECK(walk_sums(empty, 2, 0.9) == std::vector<double>{0, 0, 0});
 }
