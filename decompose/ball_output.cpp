@@ -2,16 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
-
-#include "features/core/errors.h"
 
 namespace mdbd {
 namespace {
@@ -52,10 +46,6 @@ Json json_recipe(const Recipe& recipe) {
     entries[name] = number.is_discarded() ? Json(text) : number;
   }
   return entries;
-}
-
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw IoError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
 }  // namespace
@@ -109,27 +99,6 @@ std::string format_balls(const DecomposedModel& model, BallFormat format) {
       break;
   }
   return format_json(model);
-}
-
-void write_file(const std::filesystem::path& path, const std::string& content) {
-  std::error_code error;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-  if (error) fail(path, error.message());
-  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
-    fail(path, "it exists and is no ordinary file");
-  }
-  const std::filesystem::path partial =
-      target.parent_path() / fmt::format(".mdbd-decompose-{}.partial", getpid());
-  std::filesystem::remove(partial, error);  // left by a killed process of the same number
-  std::FILE* stream = std::fopen(partial.c_str(), "wx");
-  if (stream == nullptr) fail(path, std::strerror(errno));
-  const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
-  const bool is_closed = std::fclose(stream) == 0;
-  if (!is_written || !is_closed || std::rename(partial.c_str(), target.c_str()) != 0) {
-    const std::string reason = std::strerror(errno);
-    std::filesystem::remove(partial, error);
-    fail(path, reason);
-  }
 }
 
 }  // namespace mdbd

@@ -29,9 +29,4 @@ std::string format_json(const DecomposedModel& model);
 
 std::string format_balls(const DecomposedModel& model, BallFormat format);
 
-/// Writes a file as a whole or not at all: beside its place first, then renamed. A symbolic link is
-/// followed.
-/// @throws IoError naming the path and the reason
-void write_file(const std::filesystem::path& path, const std::string& content);
-
 }  // namespace mdbd

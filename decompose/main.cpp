@@ -5,6 +5,7 @@
 #include "cli/terminal.h"
 #include "decompose/ball_output.h"
 #include "features/core/errors.h"
+#include "features/shape_io/output_file.h"
 
 namespace {
 
