@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "features/shape_io/triangle_mesh.h"
+
+namespace mdbd {
+
+/// Writes a mesh in the format that the ending of the path stands for, one of
+/// mesh_file_extensions() in upper or lower case: OFF and OBJ as text, PLY and STL binary,
+/// little-endian. Every face is written, whatever it joins. read_mesh() of the file gives vertices
+/// and faces back, to the bit and in order, if the mesh is clean (clean_mesh.h); but not of STL,
+/// which has single precision and no shared vertices, so that vertices that are equal in single
+/// precision become one.
+///
+/// OpenMesh's writers are not used, since they write single precision in every format.
+/// The file is written as a whole or not at all (output_file.h).
+/// @throws IoError naming the path if it cannot be written
+/// @throws InvalidInput if the ending is none of these, or if a coordinate is beyond single
+///         precision in STL; the message gives the reason without the path
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+}  // namespace mdbd
