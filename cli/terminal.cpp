@@ -7,29 +7,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "cli/utf8.h"
+
 namespace mdbd {
 namespace {
 
 unsigned char byte_at(std::string_view text, std::size_t position) {
   return position < text.size() ? static_cast<unsigned char>(text[position]) : 0;
-}
-
-/// The number of bytes of the well-formed UTF-8 character at a position (Unicode, table 3-7), or 0.
-std::size_t utf8_length(std::string_view text, std::size_t position) {
-  const unsigned char lead = byte_at(text, position);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead < 0xC2   ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  const unsigned char lowest = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
-  const unsigned char highest = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
-  for (std::size_t i = 1; i < length; ++i) {
-    const unsigned char next = byte_at(text, position + i);
-    if (next < (i == 1 ? lowest : 0x80) || next > (i == 1 ? highest : 0xBF)) return 0;
-  }
-  return length;
 }
 
 /// Bytes that steer a terminal: C0, DEL and, in UTF-8, C1.

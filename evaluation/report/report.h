@@ -12,7 +12,7 @@
 /// show it. All texts are plain; whoever shows them escapes what must be.
 namespace mdbd {
 
-/// Rows of texts below column titles. A cell that is a number is set to the right.
+/// Rows of texts below column titles. Columns of numbers are set to the right.
 struct Table {
   std::string caption;
   std::vector<std::string> columns;
@@ -26,7 +26,7 @@ struct LineSeries {
   std::vector<double> y;
 };
 
-/// Lines over common axes.
+/// Lines over common axes. Values that are not finite interrupt their line.
 struct LineChart {
   std::string caption;
   std::string x_label;
@@ -56,7 +56,8 @@ struct BarChart {
   std::vector<BarSeries> series;
 };
 
-/// A square matrix as a picture, dark where values are small, with a line between bands.
+/// A square matrix as a picture, dark where values are small, with a line between bands. The
+/// colours run up to the 98th percentile, so that a few values far out do not hide the others.
 struct MatrixPicture {
   std::string caption;
   std::size_t size = 0;
@@ -89,7 +90,9 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> provenance;
   std::vector<std::string> notes;  ///< what limits its meaning: failed models, small classes …
   std::vector<Section> sections;
-  nlohmann::ordered_json data;  ///< the numbers, for programs
+  /// The numbers, for programs: an object whose members have other names than those of the report
+  /// itself (title, summary, provenance, notes).
+  nlohmann::ordered_json data;
 };
 
 }  // namespace mdbd
