@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,49 +12,77 @@
 namespace mdbd {
 namespace {
 
+constexpr int narrowest_terminal = 20;
 constexpr std::size_t column_gap = 2;
 constexpr std::size_t narrowest_column = 8;  ///< unless its texts are shorter
 
-/// A text in lines of at most so many columns, broken at blanks; later lines are indented.
-std::string wrap(std::string_view text, std::size_t width, std::size_t indent) {
-  std::string wrapped;
-  std::size_t used = 0;
+/// A text in lines of at most so many columns, broken at blanks.
+std::vector<std::string> wrap(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines;
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = std::min(text.find(' ', start), text.size());
     const std::string_view word = text.substr(start, end - start);
-    const std::size_t length = display_width(word);
-    if (used > indent && used + 1 + length > width) {
-      wrapped += "\n" + std::string(indent, ' ');
-      used = indent;
-    } else if (!wrapped.empty()) {
-      wrapped += ' ';
-      ++used;
+    if (!lines.empty() && display_width(lines.back()) + 1 + display_width(word) <= width) {
+      lines.back() += ' ';
+      lines.back() += word;
+    } else {
+      lines.emplace_back(word);
     }
-    wrapped += word;
-    used += length;
     start = end + 1;
   }
-  return wrapped + "\n";
+  return lines;
+}
+
+/// @param mark stands before the first line; the others are indented by its length
+std::string paragraph(std::string_view text, std::size_t width, std::string_view mark = "") {
+  std::string shown;
+  for (const std::string& line : wrap(printable_message(text), width - mark.size())) {
+    shown += shown.empty() ? std::string(mark) : std::string(mark.size(), ' ');
+    shown += line + "\n";
+  }
+  return shown;
 }
 
 std::string cell_of(const std::vector<std::string>& row, std::size_t column) {
   return column < row.size() ? printable_message(row[column]) : "";
 }
 
-/// The widths of a table's columns. Where they are too many for the terminal, the widest columns of
-/// texts give way.
-std::vector<std::size_t> column_widths(const Table& table, std::size_t width) {
+std::size_t longest_word(std::string_view text) {
+  std::size_t longest = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    longest = std::max(longest, display_width(text.substr(start, end - start)));
+    start = end + 1;
+  }
+  return longest;
+}
+
+std::size_t table_width(const std::vector<std::size_t>& widths) {
+  const std::size_t gaps = widths.empty() ? 0 : (widths.size() - 1) * column_gap;
+  return std::accumulate(widths.begin(), widths.end(), gaps);
+}
+
+/// The widths of columns that hold every cell whole.
+/// @param breaks_titles the titles may be broken at blanks
+std::vector<std::size_t> whole_widths(const Table& table, bool breaks_titles) {
   std::vector<std::size_t> widths;
-  std::size_t total = 0;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
-    std::size_t widest = display_width(cell_of(table.columns, column));
+    const std::string title = cell_of(table.columns, column);
+    std::size_t widest = breaks_titles ? longest_word(title) : display_width(title);
     for (const auto& row : table.rows) {
       widest = std::max(widest, display_width(cell_of(row, column)));
     }
     widths.push_back(widest);
-    total += widest + (column > 0 ? column_gap : 0);
   }
-  for (; total > width; --total) {
+  return widths;
+}
+
+/// The widths of a table's columns. Where they are too many for the terminal, titles are broken,
+/// then the widest columns of texts give way.
+std::vector<std::size_t> column_widths(const Table& table, std::size_t width) {
+  std::vector<std::size_t> widths = whole_widths(table, false);
+  if (table_width(widths) > width) widths = whole_widths(table, true);
+  while (table_width(widths) > width) {
     std::size_t* widest = nullptr;
     for (std::size_t column = 0; column < widths.size(); ++column) {
       if (is_number_column(table, column)) continue;
@@ -69,20 +98,39 @@ std::string format_row(const Table& table, const std::vector<std::string>& row,
                        const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t column = 0; column < widths.size(); ++column) {
-    const std::string cell =
-        shorten(cell_of(row, column), std::max<std::size_t>(widths[column], 1));
+    const std::size_t width = std::max<std::size_t>(widths[column], 1);
+    const std::string cell = shorten(cell_of(row, column), width);
     if (column > 0) line.append(column_gap, ' ');
-    line += is_number_column(table, column) ? fmt::format("{:>{}}", cell, widths[column])
-                                            : fmt::format("{:<{}}", cell, widths[column]);
+    line += is_number_column(table, column) ? fmt::format("{:>{}}", cell, width)
+                                            : fmt::format("{:<{}}", cell, width);
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
 
+/// The titles, broken to the widths of their columns; the last lines hold the ends of all.
+std::string format_titles(const Table& table, const std::vector<std::size_t>& widths) {
+  std::vector<std::vector<std::string>> broken;
+  std::size_t height = 0;
+  for (std::size_t column = 0; column < widths.size(); ++column) {
+    broken.push_back(wrap(cell_of(table.columns, column), widths[column]));
+    height = std::max(height, broken.back().size());
+  }
+  std::string text;
+  for (std::size_t line = 0; line < height; ++line) {
+    std::vector<std::string> row;
+    for (const auto& lines : broken) {
+      const std::size_t missing = height - lines.size();
+      row.push_back(line < missing ? "" : lines[line - missing]);
+    }
+    text += format_row(table, row, widths);
+  }
+  return text;
+}
+
 std::string format_table(const Table& table, std::size_t width) {
   const std::vector<std::size_t> widths = column_widths(table, width);
-  std::string text = wrap(printable_message(table.caption), width, 0);
-  text += format_row(table, table.columns, widths);
+  std::string text = paragraph(table.caption, width) + format_titles(table, widths);
   for (const auto& row : table.rows) text += format_row(table, row, widths);
   return text;
 }
@@ -90,9 +138,8 @@ std::string format_table(const Table& table, std::size_t width) {
 }  // namespace
 
 std::string format_report_text(const Report& report, int columns) {
-  const auto width = static_cast<std::size_t>(std::max(columns, 20));
-  std::string text = wrap(printable_message(report.title), width, 0) +
-                     wrap(printable_message(report.summary), width, 0);
+  const auto width = static_cast<std::size_t>(std::max(columns, narrowest_terminal));
+  std::string text = paragraph(report.title, width) + paragraph(report.summary, width);
   for (const Section& section : report.sections) {
     for (const Block& block : section.blocks) {
       const Table* table = std::get_if<Table>(&block);
@@ -100,9 +147,7 @@ std::string format_report_text(const Report& report, int columns) {
     }
   }
   if (!report.notes.empty()) text += "\n";
-  for (const std::string& note : report.notes) {
-    text += wrap("Note: " + printable_message(note), width, 6);
-  }
+  for (const std::string& note : report.notes) text += paragraph(note, width, "Note: ");
   return text;
 }
 

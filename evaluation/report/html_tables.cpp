@@ -12,9 +12,12 @@
 namespace mdbd {
 namespace {
 
-std::string percentage(std::size_t part, std::size_t whole) {
+constexpr std::size_t most_wide_classes = 8;  ///< more columns have to be slim
+
+std::string percentage(std::size_t part, std::size_t whole, int digits) {
   if (whole == 0) return "–";
-  return fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  return fmt::format("{:.{}f}", 100.0 * static_cast<double>(part) / static_cast<double>(whole),
+                     digits);
 }
 
 /// The table in a frame of its own that scrolls where the page is too narrow.
@@ -64,12 +67,12 @@ std::string confusion_cell(std::size_t count, std::size_t row_sum, bool is_right
 std::string confusion_head(const ConfusionMatrix& matrix) {
   std::string html = "<thead><tr><th scope=\"col\" class=\"corner\">true class</th>";
   for (const std::string& name : matrix.classes) {
-    html +=
-        fmt::format("<th scope=\"col\" class=\"slim\"><span>{}</span></th>", escape_markup(name));
+    html += fmt::format("<th scope=\"col\" class=\"upright\"><span>{}</span></th>",
+                        escape_markup(name));
   }
   return html +
          "<th scope=\"col\" class=\"number\">models</th>"
-         "<th scope=\"col\" class=\"number\">recall</th></tr></thead>\n";
+         "<th scope=\"col\" class=\"number\">recall, %</th></tr></thead>\n";
 }
 
 }  // namespace
@@ -97,6 +100,7 @@ std::string html_table(const Table& table) {
 std::string html_confusion_matrix(const ConfusionMatrix& matrix) {
   require_square(matrix);
   const ConfusionSums sums = sum_up(matrix);
+  const bool is_slim = matrix.classes.size() > most_wide_classes;
   std::string html = confusion_head(matrix) + "<tbody>\n";
   for (std::size_t row = 0; row < matrix.classes.size(); ++row) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>", escape_markup(matrix.classes[row]));
@@ -104,17 +108,18 @@ std::string html_confusion_matrix(const ConfusionMatrix& matrix) {
       html += confusion_cell(matrix.counts[row][column], sums.rows[row], row == column);
     }
     html += fmt::format("<td class=\"sum\">{}</td><td class=\"sum\">{}</td></tr>\n", sums.rows[row],
-                        percentage(matrix.counts[row][row], sums.rows[row]));
+                        percentage(matrix.counts[row][row], sums.rows[row], 1));
   }
-  html += "</tbody>\n<tfoot><tr><th scope=\"row\">precision</th>";
+  html += "</tbody>\n<tfoot><tr><th scope=\"row\">precision, %</th>";
   for (std::size_t column = 0; column < matrix.classes.size(); ++column) {
-    html += fmt::format("<td class=\"sum\">{}</td>",
-                        percentage(matrix.counts[column][column], sums.columns[column]));
+    html += fmt::format(
+        "<td class=\"sum\">{}</td>",
+        percentage(matrix.counts[column][column], sums.columns[column], is_slim ? 0 : 1));
   }
   html += fmt::format(
       "<td class=\"sum\">{}</td><td class=\"sum\"><strong>{}</strong></td></tr></tfoot>\n",
-      sums.all, percentage(sums.diagonal, sums.all));
-  return framed("confusion", matrix.caption, html);
+      sums.all, percentage(sums.diagonal, sums.all, 1));
+  return framed(is_slim ? "confusion slim" : "confusion", matrix.caption, html);
 }
 
 }  // namespace mdbd

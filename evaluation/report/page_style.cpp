@@ -54,8 +54,8 @@ caption { padding-bottom: 0.6rem; }
 .confusion th { color: var(--soft); font-weight: 600; text-align: left; white-space: nowrap; }
 .confusion thead th { vertical-align: bottom; }
 .confusion thead .number { padding-left: 1rem; text-align: right; }
-.confusion .slim span { display: inline-block; max-height: 9rem; writing-mode: vertical-rl; transform: rotate(180deg); }
-.confusion .slim { text-align: center; }
+.confusion .upright span { display: inline-block; max-height: 9rem; writing-mode: vertical-rl; transform: rotate(180deg); }
+.confusion .upright { text-align: center; }
 .confusion tbody td { min-width: 2.7rem; border: 2px solid var(--page); text-align: center; }
 .confusion tbody td.sum { border-color: transparent; text-align: right; }
 .confusion .none { color: var(--soft); background: var(--band); opacity: 0.75; }
@@ -65,6 +65,10 @@ caption { padding-bottom: 0.6rem; }
 .confusion tfoot td, .confusion tfoot th { color: var(--soft); font-size: 0.85rem; text-align: center; white-space: nowrap; }
 .confusion tfoot th { text-align: left; }
 .confusion tfoot .sum:nth-last-child(-n+2) { text-align: right; }
+.slim th, .slim td { padding: 0.12rem 0.3rem; font-size: 0.8rem; }
+.slim tbody td { min-width: 1.85rem; border-width: 1px; }
+.slim .none { opacity: 0.5; }
+.slim tfoot td { font-size: 0.72rem; }
 figure { margin: 1.5rem 0 2.25rem; }
 svg { display: block; max-width: 100%; height: auto; overflow: visible; }
 svg text { fill: var(--soft); font-size: 12px; }

@@ -23,7 +23,7 @@ constexpr double narrowest_bar = 2.5;    ///< for bars side by side
 constexpr std::size_t most_names = 48;   ///< of categories below the bars
 constexpr double single_height = 300.0;  ///< of the area with all series
 constexpr double panel_height = 130.0;   ///< of the area with one series
-constexpr double panel_gap = 34.0;
+constexpr double panel_gap = 46.0;
 constexpr int most_ticks = 7;
 constexpr int most_panel_ticks = 4;
 

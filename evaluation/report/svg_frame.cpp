@@ -28,10 +28,6 @@ std::string_view name_of(Anchor anchor) {
   return "";
 }
 
-double text_width(std::string_view text) {
-  return letter_width * static_cast<double>(display_width(text));
-}
-
 }  // namespace
 
 std::string format_length(double length) {
@@ -46,6 +42,10 @@ std::string svg_element(double width, double height, std::string_view label,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "
       "role=\"img\" aria-label=\"{}\">\n{}</svg>\n",
       w, h, w, h, escape_markup(label), content);
+}
+
+double text_width(std::string_view text) {
+  return letter_width * static_cast<double>(display_width(text));
 }
 
 std::string svg_text(double x, double y, Anchor anchor, std::string_view text) {

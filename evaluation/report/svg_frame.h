@@ -38,6 +38,9 @@ std::string format_length(double length);
 std::string svg_element(double width, double height, std::string_view label,
                         std::string_view content);
 
+/// About how wide a text will be.
+double text_width(std::string_view text);
+
 std::string svg_text(double x, double y, Anchor anchor, std::string_view text);
 
 /// The smallest and the largest of the finite values; nothing if there are none.

@@ -20,7 +20,6 @@ namespace {
 constexpr double widest = 640.0;
 constexpr double largest_cell = 24.0;
 constexpr double smallest_side = 160.0;
-constexpr double left = 132.0;
 constexpr double top = 12.0;
 constexpr double label_distance = 12.0;
 constexpr std::size_t longest_label = 18;
@@ -95,6 +94,15 @@ std::string draw_image(const PlotArea& area, std::span<const std::uint8_t> pixel
       format_length(area.height), encode_base64(encode_png(pixels, width, height, make_palette())));
 }
 
+/// The width of the bands' names beside the matrix.
+double label_room(const std::vector<BandStretch>& bands) {
+  double room = 16.0;  // for the slanted name of the first band below the matrix
+  for (const BandStretch& band : bands) {
+    room = std::max(room, text_width(shorten(band.name, longest_label)) + 16.0);
+  }
+  return room;
+}
+
 std::string draw_bands(const std::vector<BandStretch>& bands, const PlotArea& area) {
   std::string svg;
   double free_from = area.top;
@@ -135,11 +143,11 @@ std::string svg_matrix_picture(const MatrixPicture& picture) {
   }
   const double side =
       std::clamp(static_cast<double>(picture.size) * largest_cell, smallest_side, widest);
-  const PlotArea area = {left, top, side, side};
   const ColourScale scale = make_scale(picture.values);
   std::vector<std::uint8_t> pixels;
   for (const double value : picture.values) pixels.push_back(shade_of(value, scale.range));
   const std::vector<BandStretch> bands = band_stretches(picture.bands, picture.size);
+  const PlotArea area = {label_room(bands), top, side, side};
   const StretchLabels labels = svg_stretch_labels(area.bottom(), band_labels(bands, area));
   return svg_element(area.right() + 140.0, area.bottom() + labels.height + 12.0, picture.caption,
                      draw_image(area, pixels, picture.size, picture.size) +
