@@ -6,11 +6,6 @@
 #include "evaluation/rivals/surface_samples.h"
 
 namespace mdbd {
-namespace {
-
-constexpr double range = 4.0;  // times the mean
-
-}  // namespace
 
 std::vector<float> compute_d2(const TriangleMesh& mesh, std::uint64_t seed) {
   const std::vector<Eigen::Vector3f> points = sample_surface(mesh, 2 * d2_pairs, seed);
@@ -20,7 +15,7 @@ std::vector<float> compute_d2(const TriangleMesh& mesh, std::uint64_t seed) {
     distances.push_back((points[2 * i] - points[2 * i + 1]).cast<double>().norm());
   }
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
-  const double bins_per_length = d2_bins / (range * sum / d2_pairs);
+  const double bins_per_length = d2_bins / (d2_range * sum / d2_pairs);
   std::vector<std::size_t> counts(d2_bins);
   for (const double distance : distances) {
     ++counts[std::min(static_cast<std::size_t>(distance * bins_per_length), d2_bins - 1)];

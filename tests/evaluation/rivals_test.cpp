@@ -117,7 +117,7 @@ TEST_CASE("D2 of a square is the known distribution") {
   const auto cumulative = [](double t) {
     return std::numbers::pi * t * t - 8.0 / 3 * t * t * t + 0.5 * t * t * t * t;
   };
-  const double width = 4 * 0.5214054331 / d2_bins;
+  const double width = d2_range * 0.5214054331 / d2_bins;
   for (std::size_t i = 0; (i + 1) * width < 1; ++i) {
     const double expected = cumulative((i + 1) * width) - cumulative(i * width);
     CHECK(std::abs(histogram[i] - expected) < 0.002);
