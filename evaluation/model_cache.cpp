@@ -219,7 +219,8 @@ DescribedModels ModelCache::describe(std::span<const LabelledModel> models,
       continue;
     }
     ShapeData data = store_->data(record.id);
-    described[i] = {std::move(data.balls), std::move(data.signature), record.scale};
+    described[i] = {std::move(data.balls), std::move(data.signature), record.scale,
+                    record.statistics};
   }
   return described;
 }
@@ -278,6 +279,45 @@ SignatureVectors ModelCache::compute_signature(std::span<const LabelledModel> mo
     }
   }
   return found;
+}
+
+std::vector<std::optional<std::string>> ModelCache::run(
+    const std::string& stage, std::span<const std::string> names,
+    const std::function<std::string(std::size_t)>& work) {
+  progress_.on_stage(stage, names.size());
+  std::deque<std::size_t> pending;
+  for (std::size_t i = 0; i < names.size(); ++i) pending.push_back(i);
+
+  // The first byte says whether a result or a reason follows.
+  constexpr char done = '+';
+  constexpr char failed = '-';
+  const auto work_and_send = [&](std::size_t i, const SendOutput& send) {
+    std::string output(1, done);
+    try {
+      output += work(i);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      output = failed + std::string(error.what());
+    }
+    send(output);
+  };
+  std::vector<std::optional<std::string>> results(names.size());
+  const auto finish = [&](const ProcessOutcome& outcome) {
+    const bool has_finished = outcome.end == ProcessEnd::finished;
+    const bool has_failed = !has_finished || outcome.output.front() == failed;
+    if (has_failed) {
+      const std::string reason = has_finished ? outcome.output.substr(1) : outcome.reason;
+      progress_.on_failure(stage, names[outcome.job], reason);
+      add_failure({stage, names[outcome.job], reason});
+    } else {
+      results[outcome.job] = outcome.output.substr(1);
+    }
+    progress_.on_model_done(has_failed);
+    return true;
+  };
+  run_jobs(std::move(pending), options_, progress_, work_and_send, finish);
+  return results;
 }
 
 void ModelCache::add_failure(EvaluationFailure failure) {

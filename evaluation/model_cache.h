@@ -46,6 +46,7 @@ struct DescribedModel {
   std::vector<Ball> balls;        ///< object units, in order of placement
   std::vector<float> descriptor;  ///< laid out as Descriptor::values
   double scale = 0.0;             ///< R in object units
+  std::string statistics;         ///< a JSON object: what was read and what was done to it
 };
 
 /// For each model asked for, in its order; empty where it failed.
@@ -94,6 +95,16 @@ class ModelCache {
   /// @throws as describe
   SignatureVectors compute_signature(std::span<const LabelledModel> models,
                                      const FileSignature& signature);
+
+  /// Runs other work in the same way: a process for each piece, with budget and progress. Nothing
+  /// of it is kept.
+  /// @param names of the pieces, for messages
+  /// @param work computes a piece. @throws IoError, InvalidInput
+  /// @returns what `work` returned for each piece; empty where it failed
+  /// @throws as describe
+  std::vector<std::optional<std::string>> run(const std::string& stage,
+                                              std::span<const std::string> names,
+                                              const std::function<std::string(std::size_t)>& work);
 
   /// Every failure that was met, once, in the order of the calls and of the models.
   const std::vector<EvaluationFailure>& failures() const { return failures_; }

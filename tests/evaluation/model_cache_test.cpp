@@ -271,6 +271,32 @@ TEST_CASE("a signature that fails fails once") {
   }
 }
 
+TEST_CASE("other work runs in processes, and its failures are counted") {
+  Bench bench;
+  const std::vector<std::string> names{"empty", "bytes", "throws", "dies"};
+  for (const std::size_t jobs : {1, 3}) {
+    ModelCache cache = bench.open(jobs);
+    const auto results = cache.run("test", names, [](std::size_t i) -> std::string {
+      if (i == 2) throw InvalidInput("no number");
+      if (i == 3) raise(SIGKILL);
+      return i == 0 ? "" : std::string("\0-\xff", 3);
+    });
+    REQUIRE(results.size() == 4);
+    CHECK(results[0] == "");
+    CHECK(results[1] == std::string("\0-\xff", 3));
+    CHECK_FALSE(results[2]);
+    CHECK_FALSE(results[3]);
+    CHECK(bench.progress.stages == std::vector<std::string>{"test: 4"});
+    CHECK(bench.progress.done == 4);
+    CHECK(bench.progress.failures.size() == 2);
+    REQUIRE(cache.failures().size() == 2);
+    CHECK(cache.failures()[0].stage == "test");
+  }
+  ModelCache cache = bench.open();
+  bench.progress.interrupt_after = 2;
+  CHECK_THROWS_AS(cache.run("test", names, [](std::size_t) { return std::string(); }), Interrupted);
+}
+
 TEST_CASE("a folder for the cache that cannot be made is named") {
   test::TemporaryDirectory folder;
   test::RecordingProgress progress;
