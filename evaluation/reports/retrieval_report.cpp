@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/reports/class_bands.h"
 #include "evaluation/reports/retrieval_methods.h"
 
 using nlohmann::ordered_json;
@@ -84,15 +85,6 @@ Section precision_section(const RetrievalComparison& comparison) {
     chart.series.push_back(std::move(series));
   }
   return {"Precision and recall", {std::move(chart)}};
-}
-
-std::vector<Band> class_bands(std::span<const LabelledModel> models) {
-  std::vector<Band> bands;
-  for (const LabelledModel& model : models) {
-    if (bands.empty() || bands.back().name != model.label) bands.push_back({model.label, 0});
-    ++bands.back().count;
-  }
-  return bands;
 }
 
 MatrixPicture matrix_picture(const RetrievalComparison& comparison, const RetrievalMethod& method) {

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "evaluation/evaluation_input.h"
+#include "evaluation/measures/robustness.h"
+#include "evaluation/report/report.h"
+#include "perturbation/perturbation.h"
+
+/// What the reports on changed copies of models have in common.
+namespace mdbd {
+
+/// The models of a collection after a change, and how they fared.
+struct VariedModels {
+  std::string name;        ///< of the change, with its parameters: "noise 0.5 %"
+  DescribedModels models;  ///< one for each of CleanModels::models; empty where it failed
+  std::optional<Robustness> robustness;  ///< empty if all models failed
+};
+
+/// The variant that perturb_file() makes of every model with a seed: the copies that mdbd-perturb
+/// writes.
+Variant perturbed_variant(const Perturbation& perturbation, std::uint64_t seed);
+
+/// Describes the changed copies of models and compares them with the models.
+/// @throws as ModelCache::describe
+VariedModels describe_varied(const EvaluationInput& input, const CleanModels& clean,
+                             const Perturbation& perturbation);
+
+/// The models as they are, queried against themselves: what the measures are compared with.
+VariedModels unvaried_models(const CleanModels& clean, const Recipe& recipe);
+
+/// The faces of each changed copy relative to those of its model; empty where it failed.
+std::vector<std::optional<double>> face_ratios(const CleanModels& clean,
+                                               const VariedModels& varied);
+
+/// The models that moved the furthest, relative to the distance to their nearest other model.
+Table worst_models_table(const CleanModels& clean, std::span<const VariedModels> variations,
+                         std::size_t count);
+
+/// What limits the meaning of the measures: failed copies, models alone in their class.
+std::vector<std::string> variation_notes(const CleanModels& clean,
+                                         std::span<const VariedModels> variations);
+
+/// "97.4"; "–" if it is empty.
+std::string percent_text(const std::optional<double>& rate);
+/// Three decimals; "–" if it is empty.
+std::string number_text(const std::optional<double>& number);
+
+/// [{"name", "class", "scale", "descriptor"}, …], in order.
+nlohmann::ordered_json to_json(const CleanModels& clean);
+
+/// {"change", "measures", "mean_shift", "mean_absolute_shift", "models": [{"name", "scale",
+/// "faces", "descriptor", "self_rank", …}, …]} with the models that did not fail.
+nlohmann::ordered_json to_json(const CleanModels& clean, const VariedModels& varied);
+
+}  // namespace mdbd
