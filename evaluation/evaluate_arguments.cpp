@@ -1,0 +1,103 @@
+#include "evaluation/evaluate_arguments.h"
+
+#include <algorithm>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.h"
+
+namespace mdbd {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  mdbd-evaluate retrieval models --html retrieval.html
+  mdbd-evaluate noise models --levels 0.5,1,2 --json noise.json
+  mdbd-evaluate classify models --sample 50 --seed 7
+  mdbd-evaluate retrieval --help            the options of a command
+
+A collection is a folder with one folder for each class: models/chair/1.off. What is computed is kept
+in ./mdbd-cache, so that the same command continues an interrupted run and further reports on the
+same models begin at once. The folder may be deleted at any time.
+Exit codes: 0 done, 1 failed or interrupted, 2 wrong usage, 3 done, but some models failed.)";
+
+template <typename Value, typename Bound>
+CLI::Option* add_number(CLI::App& app, const char* name, Value& value, Bound lowest, Bound highest,
+                        const char* description) {
+  return app.add_option(name, value, description)
+      ->check(CLI::Range(lowest, highest).description(""))
+      ->type_name("N");
+}
+
+/// The same options for every command.
+void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recipe& defaults) {
+  app.add_option("COLLECTION", arguments.collection, "A folder with one folder for each class")
+      ->required()
+      ->type_name("");
+  auto* json = app.add_option("--json", arguments.outputs.json,
+                              "Write all numbers to this file; - for standard output");
+  json->type_name("FILE");
+  app.add_option("--html", arguments.outputs.html, "Write the report as a page to this file")
+      ->type_name("FILE");
+  add_number(app, "--sample", arguments.sample_size, 1, 1'000'000'000,
+             "Take at most so many models of each class, drawn at random");
+  app.add_option("--seed", arguments.seed, "Everything random depends on it")
+      ->type_name("N")
+      ->capture_default_str();
+  add_number(app, "--balls", arguments.balls, 1, 100'000, "Balls of a model")
+      ->default_str(std::to_string(defaults.balls));
+  add_number(app, "--jobs", arguments.cache.jobs, 1, 1024, "Models computed at once")
+      ->capture_default_str();
+  app.add_option("--cache", arguments.cache.folder, "Keep what is computed in this folder")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_duration_option(app, "--model-time", arguments.cache.limits.time, "Time budget of a model");
+  add_size_option(app, "--model-memory", arguments.cache.limits.memory, "Memory budget of a model");
+  app.add_flag("--quiet", arguments.is_quiet, "Print errors only, and what --json - asks for");
+}
+
+/// Adds a command with the common options.
+/// @param make makes its report with the command's own options
+template <typename Make>
+CLI::App* add_command(CLI::App& app, EvaluateArguments& arguments, const char* name,
+                      const char* description, const Recipe& defaults, Make make) {
+  CLI::App* command = app.add_subcommand(name, description)->group("Commands");
+  add_common_options(*command, arguments, defaults);
+  command->callback([&arguments, defaults, make] {
+    if (!arguments.outputs.html.empty() && arguments.outputs.html == arguments.outputs.json) {
+      throw CLI::ValidationError("--html", "the file is that of --json");
+    }
+    arguments.recipe = defaults;
+    arguments.recipe.balls = arguments.balls.value_or(defaults.balls);
+    arguments.make_report = make;
+  });
+  return command;
+}
+
+void add_retrieval(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command = add_command(app, arguments, "retrieval",
+                                  "How well models of the same class are found, beside rivals", {},
+                                  [&](const EvaluationInput& input) {
+                                    return make_retrieval_report(input, arguments.retrieval);
+                                  });
+  command->add_flag_callback(
+      "--no-rivals", [&] { arguments.retrieval.has_rivals = false; },
+      "Leave out the rivals ESF, GASD and D2");
+  add_number(*command, "--confusions", arguments.retrieval.confusions, 0, 1'000'000,
+             "List so many of the worst confusions")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
+  arguments.cache.folder = "mdbd-cache";
+  arguments.cache.jobs = std::max(1U, std::thread::hardware_concurrency());
+  app.footer(examples);
+  app.require_subcommand(1);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  add_retrieval(app, arguments);
+}
+
+}  // namespace mdbd
