@@ -82,7 +82,7 @@ std::vector<std::string> score_row(const CleanModels& clean, const VariedModels&
 Section score_section(const VariedByChange& study) {
   Table table{.caption = "Changed models, queried against the collection as it is",
               .columns = {"change", "models", "faces %", "self first %", "class NN %",
-                          "displacement", "90 %", "largest"},
+                          "displacement: median", "90 %", "largest"},
               .rows = {},
               .is_summary = true};
   for (const VariedModels& varied : study.varied) {
