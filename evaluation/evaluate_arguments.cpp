@@ -89,6 +89,48 @@ void add_retrieval(CLI::App& app, EvaluateArguments& arguments) {
       ->capture_default_str();
 }
 
+/// Takes the sign from "0.5%".
+std::string strip_percent(std::string& level) {
+  if (level.ends_with('%')) level.pop_back();
+  return "";
+}
+
+void add_worst(CLI::App& command, std::size_t& worst) {
+  add_number(command, "--worst", worst, 0, 1'000'000,
+             "List so many of the models that moved the furthest")
+      ->capture_default_str();
+}
+
+void add_noise(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command = add_command(
+      app, arguments, "noise", "How far noise on the surface changes the answers", {},
+      [&](const EvaluationInput& input) { return make_noise_report(input, arguments.noise); });
+  command
+      ->add_option("--levels", arguments.noise.levels,
+                   "Bounds of the noise in percent of a model's diameter: 0.5,1 or 0.5%,1%")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->transform(CLI::Validator(strip_percent, ""))
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name("LIST")
+      ->default_str("0.5,1");
+  command
+      ->add_option("--query", arguments.noise.queries,
+                   "Draw the distances of this model, named as chair/1.off; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  add_worst(*command, arguments.noise.worst);
+}
+
+void add_invariance(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command = add_command(app, arguments, "invariance",
+                                  "How far the answers change under what should not change them",
+                                  {}, [&](const EvaluationInput& input) {
+                                    return make_invariance_report(input, arguments.invariance);
+                                  });
+  add_worst(*command, arguments.invariance.worst);
+}
+
 }  // namespace
 
 void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
@@ -98,6 +140,8 @@ void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   add_retrieval(app, arguments);
+  add_noise(app, arguments);
+  add_invariance(app, arguments);
 }
 
 }  // namespace mdbd

@@ -8,6 +8,8 @@
 
 #include "evaluation/evaluation_input.h"
 #include "evaluation/report/report.h"
+#include "evaluation/reports/invariance_report.h"
+#include "evaluation/reports/noise_report.h"
 #include "evaluation/reports/retrieval_report.h"
 #include "evaluation/write_outputs.h"
 
@@ -28,6 +30,8 @@ struct EvaluateArguments {
   bool is_quiet = false;
 
   RetrievalOptions retrieval;
+  NoiseOptions noise;
+  InvarianceOptions invariance;
 
   /// Of the command that was given: its recipe, and the function that makes its report.
   Recipe recipe;

@@ -18,7 +18,7 @@ constexpr PlotArea wide_area = {.left = 64.0, .top = 30.0, .width = 740.0, .heig
 constexpr PlotArea square_area = {.left = 64.0, .top = 30.0, .width = 440.0, .height = 440.0};
 constexpr int most_x_ticks = 9;
 constexpr int most_y_ticks = 7;
-constexpr std::size_t most_markers = 25;  ///< of a line; more would hide it
+constexpr std::size_t most_markers = 12;  ///< of a line; more would hide its dashes
 
 struct Point {
   double x = 0.0;
