@@ -26,6 +26,11 @@ std::string quote(std::string_view word) {
   return quoted + "'";
 }
 
+/// "1 model", "2 models"
+std::string count(std::size_t number, std::string_view one, std::string_view ending) {
+  return fmt::format("{} {}{}", number, one, number == 1 ? "" : ending);
+}
+
 std::size_t count_classes(const LabelledCollection& collection) {
   std::set<std::string_view> classes;
   for (const LabelledModel& model : collection.models) classes.insert(model.label);
@@ -46,8 +51,7 @@ std::string place_of(const EvaluationFailure& failure) {
 }
 
 std::string failure_note(std::span<const EvaluationFailure> failures) {
-  std::string text =
-      fmt::format("{} failure{}: ", failures.size(), failures.size() == 1 ? "" : "s");
+  std::string text = count(failures.size(), "failure", "s") + ": ";
   const std::size_t listed = std::min(failures.size(), failures_in_note);
   for (std::size_t i = 0; i < listed; ++i) {
     text += fmt::format("{}{} ({})", i > 0 ? "; " : "", place_of(failures[i]), failures[i].reason);
@@ -93,8 +97,9 @@ void finish_report(Report& report, const EvaluationInput& input, const ReportOri
       report.provenance.begin(),
       {{"command", origin.command},
        {"version", origin.version},
-       {"collection", fmt::format("{}: {} models in {} class{}", collection.folder.string(),
-                                  collection.models.size(), classes, classes == 1 ? "" : "es")},
+       {"collection",
+        fmt::format("{}: {} in {}", collection.folder.string(),
+                    count(collection.models.size(), "model", "s"), count(classes, "class", "es"))},
        {"recipe", describe_recipe(input.cache.recipe())},
        {"seed", std::to_string(input.seed)}});
   std::vector<std::string> notes = collection.notes;

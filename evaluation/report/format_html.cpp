@@ -12,7 +12,17 @@
 namespace mdbd {
 namespace {
 
+constexpr std::string_view no_break_space = "\xC2\xA0";
 constexpr std::size_t sections_without_contents = 2;
+
+/// A running text, with every percent sign on the line of its number.
+std::string running_text(std::string_view text) {
+  std::string escaped = escape_markup(text);
+  for (std::size_t at = escaped.find(" %"); at != std::string::npos; at = escaped.find(" %", at)) {
+    escaped.replace(at, 1, no_break_space);
+  }
+  return escaped;
+}
 
 std::string figure(std::string_view caption, std::string_view legend, std::string_view svg) {
   constexpr std::string_view nothing = "<p class=\"nothing\">There are no values to show.</p>\n";
@@ -31,7 +41,7 @@ std::string legend_of(const std::vector<Series>& series, LegendKind kind) {
 /// A block as HTML; one function for each kind.
 struct BlockWriter {
   std::string operator()(const Paragraph& paragraph) const {
-    return fmt::format("<p>{}</p>\n", escape_markup(paragraph.text));
+    return fmt::format("<p>{}</p>\n", running_text(paragraph.text));
   }
   std::string operator()(const Table& table) const { return html_table(table); }
   std::string operator()(const LineChart& chart) const {
@@ -70,7 +80,7 @@ std::string html_notes(const Report& report) {
   if (report.notes.empty()) return "";
   std::string html = "<aside class=\"notes\">\n<h2>To keep in mind</h2>\n<ul>\n";
   for (const std::string& note : report.notes) {
-    html += fmt::format("<li>{}</li>\n", escape_markup(note));
+    html += fmt::format("<li>{}</li>\n", running_text(note));
   }
   return html + "</ul>\n</aside>\n";
 }
@@ -90,7 +100,7 @@ std::string format_report_html(const Report& report) {
   std::string html = html_head(report) + "<body>\n<main>\n<header>\n";
   html += fmt::format(
       "<p class=\"maker\">MDBD shape search</p>\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n",
-      escape_markup(report.title), escape_markup(report.summary));
+      escape_markup(report.title), running_text(report.summary));
   html += html_contents(report) + "</header>\n" + html_notes(report);
   for (std::size_t i = 0; i < report.sections.size(); ++i) {
     html += fmt::format("<section id=\"section-{}\">\n<h2>{}</h2>\n", i + 1,

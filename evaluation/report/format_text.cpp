@@ -16,11 +16,20 @@ constexpr int narrowest_terminal = 20;
 constexpr std::size_t column_gap = 2;
 constexpr std::size_t narrowest_column = 8;  ///< unless its texts are shorter
 
+/// The end of the word that begins at a position. A percent sign stays with its number.
+std::size_t word_end(std::string_view text, std::size_t start) {
+  std::size_t end = text.find(' ', start);
+  while (end != std::string_view::npos && text.substr(end + 1).starts_with('%')) {
+    end = text.find(' ', end + 1);
+  }
+  return std::min(end, text.size());
+}
+
 /// A text in lines of at most so many columns, broken at blanks.
 std::vector<std::string> wrap(std::string_view text, std::size_t width) {
   std::vector<std::string> lines;
   for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::size_t end = word_end(text, start);
     const std::string_view word = text.substr(start, end - start);
     if (!lines.empty() && display_width(lines.back()) + 1 + display_width(word) <= width) {
       lines.back() += ' ';
@@ -50,7 +59,7 @@ std::string cell_of(const std::vector<std::string>& row, std::size_t column) {
 std::size_t longest_word(std::string_view text) {
   std::size_t longest = 0;
   for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::size_t end = word_end(text, start);
     longest = std::max(longest, display_width(text.substr(start, end - start)));
     start = end + 1;
   }
@@ -78,7 +87,7 @@ std::vector<std::size_t> whole_widths(const Table& table, bool breaks_titles) {
 }
 
 /// The widths of a table's columns. Where they are too many for the terminal, titles are broken,
-/// then the widest columns of texts give way.
+/// then the widest columns of texts.
 std::vector<std::size_t> column_widths(const Table& table, std::size_t width) {
   std::vector<std::size_t> widths = whole_widths(table, false);
   if (table_width(widths) > width) widths = whole_widths(table, true);
@@ -94,12 +103,13 @@ std::vector<std::size_t> column_widths(const Table& table, std::size_t width) {
   return widths;
 }
 
-std::string format_row(const Table& table, const std::vector<std::string>& row,
-                       const std::vector<std::size_t>& widths) {
+/// One line of a table.
+std::string format_line(const Table& table, const std::vector<std::string>& cells,
+                        const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t column = 0; column < widths.size(); ++column) {
     const std::size_t width = std::max<std::size_t>(widths[column], 1);
-    const std::string cell = shorten(cell_of(row, column), width);
+    const std::string cell = shorten(cells[column], width);
     if (column > 0) line.append(column_gap, ' ');
     line += is_number_column(table, column) ? fmt::format("{:>{}}", cell, width)
                                             : fmt::format("{:<{}}", cell, width);
@@ -108,30 +118,36 @@ std::string format_row(const Table& table, const std::vector<std::string>& row,
   return line + "\n";
 }
 
-/// The titles, broken to the widths of their columns; the last lines hold the ends of all.
-std::string format_titles(const Table& table, const std::vector<std::size_t>& widths) {
+enum class Edge { top, bottom };
+
+/// The cells of a row, broken to the widths of their columns.
+/// @param edge where cells of fewer lines than others stand
+std::string format_row(const Table& table, const std::vector<std::string>& row,
+                       const std::vector<std::size_t>& widths, Edge edge) {
   std::vector<std::vector<std::string>> broken;
-  std::size_t height = 0;
+  std::size_t height = 1;
   for (std::size_t column = 0; column < widths.size(); ++column) {
-    broken.push_back(wrap(cell_of(table.columns, column), widths[column]));
+    broken.push_back(wrap(cell_of(row, column), widths[column]));
     height = std::max(height, broken.back().size());
   }
   std::string text;
   for (std::size_t line = 0; line < height; ++line) {
-    std::vector<std::string> row;
+    std::vector<std::string> cells;
     for (const auto& lines : broken) {
-      const std::size_t missing = height - lines.size();
-      row.push_back(line < missing ? "" : lines[line - missing]);
+      const std::size_t first = edge == Edge::top ? 0 : height - lines.size();
+      const bool is_filled = line >= first && line - first < lines.size();
+      cells.push_back(is_filled ? lines[line - first] : "");
     }
-    text += format_row(table, row, widths);
+    text += format_line(table, cells, widths);
   }
   return text;
 }
 
 std::string format_table(const Table& table, std::size_t width) {
   const std::vector<std::size_t> widths = column_widths(table, width);
-  std::string text = paragraph(table.caption, width) + format_titles(table, widths);
-  for (const auto& row : table.rows) text += format_row(table, row, widths);
+  std::string text =
+      paragraph(table.caption, width) + format_row(table, table.columns, widths, Edge::bottom);
+  for (const auto& row : table.rows) text += format_row(table, row, widths, Edge::top);
   return text;
 }
 

@@ -89,17 +89,27 @@ TEST_CASE("columns are aligned, numbers to the right") {
                                                                   "椅子     10.5\n"));
 }
 
-TEST_CASE("narrow terminals break titles, then shorten texts, never numbers") {
-  const Table table{
-      "Caption", {"model", "nearest neighbour"}, {{"a name that is rather long", "12.5 %"}}, true};
+TEST_CASE("narrow terminals break titles, then texts, never numbers") {
+  const Table table{"Caption",
+                    {"model", "nearest neighbour"},
+                    {{"a name that is rather long", "12.5 %"}, {"alongwordwithoutblanks", "1 %"}},
+                    true};
   const std::string whole = format_report_text(report_with(table), 80);
   CHECK_THAT(whole, Contains("model                       nearest neighbour\n"));
-  const std::string broken = format_report_text(report_with(table), 40);
-  CHECK_THAT(broken, Contains("  nearest\nmodel") && Contains("neighbour\n"));
-  CHECK_THAT(broken, Contains("rather long     12.5 %\n"));
-  const std::string shortened = format_report_text(report_with(table), 24);
-  CHECK_THAT(shortened, Contains("…") && Contains(" 12.5 %\n"));
-  CHECK(widest_line(shortened) <= 24);
+  const std::string titles_broken = format_report_text(report_with(table), 40);
+  CHECK_THAT(titles_broken, Contains("  nearest\nmodel") && Contains("neighbour\n"));
+  CHECK_THAT(titles_broken, Contains("rather long     12.5 %\n"));
+  const std::string texts_broken = format_report_text(report_with(table), 24);
+  CHECK_THAT(texts_broken, Contains("a name that      12.5 %\nis rather\nlong\n"));
+  CHECK_THAT(texts_broken, Contains("alongwordwit…       1 %\n"));
+  CHECK(widest_line(texts_broken) <= 24);
+}
+
+TEST_CASE("a percent sign stays with its number") {
+  Report report;
+  report.summary = "Some words, and then 77.1 % of all";
+  CHECK_THAT(format_report_text(report, 26), Contains("Some words, and then\n77.1 % of all\n"));
+  CHECK_THAT(format_report_html(report), Contains("77.1\u00a0% of all"));
 }
 
 TEST_CASE("what a number is") {
