@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/counted.h"
 #include "features/core/errors.h"
 #include "features/core/random.h"
 
@@ -74,9 +75,9 @@ void draw_sample(std::vector<LabelledModel>& models, std::size_t count, std::uin
 }
 
 [[noreturn]] void refuse(const fs::path& folder, std::size_t models) {
-  const std::string found = models == 0
-                                ? "holds no models"
-                                : fmt::format("holds {} models but no folders of classes", models);
+  const std::string found =
+      models == 0 ? "holds no models"
+                  : "holds " + counted(models, "model") + " but no folders of classes";
   throw InvalidInput(fmt::format("{}: {}; a collection has one folder for each class: {}",
                                  folder.string(), found, (folder / "chair" / "1.off").string()));
 }
@@ -85,8 +86,8 @@ void note_unlabelled(std::span<const LabelledModel> models, std::vector<std::str
   if (models.empty()) return;
   std::vector<std::string> names;
   for (const LabelledModel& model : models) names.push_back(model.name);
-  notes.push_back(fmt::format("{} model(s) in no folder of a class, left out: {}.", models.size(),
-                              join_some(names)));
+  notes.push_back(fmt::format("{} in no folder of a class, left out: {}.",
+                              counted(models.size(), "model"), join_some(names)));
 }
 
 void note_unusable(const Discovery& found, std::vector<std::string>& notes) {
@@ -96,7 +97,7 @@ void note_unusable(const Discovery& found, std::vector<std::string>& notes) {
     texts.push_back(fmt::format("{} ({})", unusable.path, unusable.reason));
   }
   notes.push_back(
-      fmt::format("{} path(s) that cannot be used: {}.", texts.size(), join_some(texts)));
+      fmt::format("{} that cannot be used: {}.", counted(texts.size(), "path"), join_some(texts)));
 }
 
 void note_single_models(const Classes& classes, std::vector<std::string>& notes) {
@@ -106,9 +107,8 @@ void note_single_models(const Classes& classes, std::vector<std::string>& notes)
   }
   if (labels.empty()) return;
   notes.push_back(
-      fmt::format("{} class(es) of one model: {}. Such a model cannot be queried; it "
-                  "stays as a distractor.",
-                  labels.size(), join_some(labels)));
+      fmt::format("{} of one model: {}. Such a model cannot be queried; it stays as a distractor.",
+                  counted(labels.size(), "class", "es"), join_some(labels)));
 }
 
 }  // namespace
@@ -126,8 +126,9 @@ LabelledCollection find_labelled_models(const fs::path& folder, std::size_t samp
   if (sample_size > 0) {
     for (auto& [label, models] : classes)
       draw_sample(models, sample_size, derive_seed(seed, label));
-    collection.notes.push_back(fmt::format(
-        "A sample: at most {} model(s) of each class, drawn with seed {}.", sample_size, seed));
+    collection.notes.push_back(
+        fmt::format("A sample: at most {} of each class, drawn with seed {}.",
+                    counted(sample_size, "model"), seed));
   }
   note_single_models(classes, collection.notes);
   for (auto& [label, models] : classes) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/counted.h"
 #include "evaluation/reports/class_bands.h"
 #include "evaluation/reports/retrieval_methods.h"
 
@@ -271,23 +272,26 @@ std::string summarise(const RetrievalComparison& comparison) {
                           percent(methods[m].measures.mean.nearest_neighbour));
   }
   return fmt::format(
-      "The first answer of {} is of the query's class for {} % of {} queries in {} "
-      "classes ({}).",
-      methods.front().name, percent(own.mean.nearest_neighbour), own.queries, own.classes.size(),
-      others);
+      "The first answer of {} is of the query's class for {} % of {} queries in {} ({}).",
+      methods.front().name, percent(own.mean.nearest_neighbour), own.queries,
+      counted(own.classes.size(), "class", "es"), others);
 }
 
 std::vector<std::string> make_notes(const RetrievalComparison& comparison) {
   std::vector<std::string> notes;
   if (comparison.left_out > 0) {
-    notes.push_back(fmt::format("{} model(s) on which a rival failed are left out for all methods.",
-                                comparison.left_out));
+    notes.push_back(fmt::format("{} on which a rival failed left out for all methods.",
+                                counted(comparison.left_out, "model")));
   }
-  if (const std::size_t alone = comparison.methods.front().measures.left_out; alone > 0) {
+  const RetrievalMeasures& any = comparison.methods.front().measures;
+  if (any.left_out > 0) {
     notes.push_back(
-        fmt::format("{} model(s) without another of their class were not queried; they "
-                    "were among the answers.",
-                    alone));
+        fmt::format("{} without another of the same class not queried, but among the "
+                    "answers.",
+                    counted(any.left_out, "model")));
+  } else if (any.classes.size() == 1) {
+    notes.push_back(
+        "There is one class only: every answer is right, and the measures say nothing.");
   }
   return notes;
 }

@@ -45,7 +45,7 @@ TEST_CASE("the first folder on the way to a model is its class") {
   CHECK(found.models[0].file.size == 2);
   CHECK(found.models[0].file.path == (folder / "chair/a.stl").string());
   CHECK(found.models[2].label == "chair-high");
-  CHECK_THAT(all_notes(found), Contains("1 class(es) of one model: chair-high."));
+  CHECK_THAT(all_notes(found), Contains("1 class of one model: chair-high."));
   CHECK_THAT(all_notes(found), Contains("distractor"));
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("models outside the classes and unusable paths are noted") {
   fs::create_symlink("nowhere", folder / "a/broken.off");
   const LabelledCollection found = find_labelled_models(folder.path(), 0, 1);
   CHECK(names(found) == std::vector<std::string>{"a/0.off", "a/1.off"});
-  CHECK_THAT(all_notes(found), Contains("4 model(s) in no folder of a class, left out: 1.off, "
+  CHECK_THAT(all_notes(found), Contains("4 models in no folder of a class, left out: 1.off, "
                                         "2.off, 3.off and 1 more."));
   CHECK_THAT(all_notes(found), Contains("broken.off (is a link to nothing)"));
   REQUIRE(found.unusable.size() == 1);
@@ -82,7 +82,7 @@ TEST_CASE("what is no collection is refused with a reason") {
   CHECK_THROWS_WITH(find_labelled_models(file, 0, 1), Contains("is no folder"));
   CHECK_THROWS_AS(find_labelled_models(folder.path(), 0, 1), InvalidInput);
   CHECK_THROWS_WITH(find_labelled_models(folder.path(), 0, 1),
-                    Contains("1 models but no folders of classes"));
+                    Contains("1 model but no folders of classes"));
   fs::remove(file);
   CHECK_THROWS_WITH(find_labelled_models(folder.path(), 0, 1), Contains("holds no models"));
 }
@@ -96,7 +96,7 @@ TEST_CASE("a sample is drawn from each class with a seed") {
   const std::vector<std::string> drawn = names(first);
   CHECK(std::ranges::is_sorted(drawn));
   CHECK(std::ranges::adjacent_find(drawn) == drawn.end());
-  CHECK_THAT(all_notes(first), Contains("at most 3 model(s) of each class, drawn with seed 7"));
+  CHECK_THAT(all_notes(first), Contains("at most 3 models of each class, drawn with seed 7"));
   CHECK(names(find_labelled_models(folder.path(), 3, 7)) == names(first));
   CHECK(names(find_labelled_models(folder.path(), 3, 8)) != names(first));
 

@@ -110,7 +110,7 @@ TEST_CASE("a retrieval report shows every method on the same models") {
   CHECK(names ==
         std::vector<std::string>{"mdbd-100", "radii alone", "walk alone", "ESF", "GASD", "D2"});
   CHECK(report.sections.size() == 5);
-  CHECK_THAT(report.notes.at(0), Contains("1 model(s) without another of their class"));
+  CHECK_THAT(report.notes.at(0), Contains("1 model without another of the same class"));
   CHECK_THAT(report.summary, Contains("of 5 queries in 2 classes (radii alone"));
   CHECK_THAT(format_report_text(report, 80), Contains("mdbd-100"));
 
@@ -146,4 +146,18 @@ TEST_CASE("without two models of a class there is nothing to report") {
   ModelCache cache({.folder = folder / "cache", .jobs = 1, .limits = {}}, recipe, progress);
   CHECK_THROWS_AS(make_retrieval_report({collection, cache, 1}, {.has_rivals = false}),
                   InvalidInput);
+}
+
+TEST_CASE("measures of a single class are said to mean nothing") {
+  test::TemporaryDirectory folder;
+  folder.write("models/a/1.off", box(1, 1));
+  folder.write("models/a/2.off", box(2, 1));
+  const LabelledCollection collection = find_labelled_models(folder / "models", 0, 1);
+  test::RecordingProgress progress;
+  Recipe recipe;
+  recipe.balls = 5;
+  ModelCache cache({.folder = folder / "cache", .jobs = 1, .limits = {}}, recipe, progress);
+  const Report report = make_retrieval_report({collection, cache, 1}, {.has_rivals = false});
+  REQUIRE(report.notes.size() == 1);
+  CHECK_THAT(report.notes[0], Contains("one class only"));
 }
