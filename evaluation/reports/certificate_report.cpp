@@ -150,16 +150,19 @@ Table worst_table(std::span<const CheckedModel* const> ranked, const Check& chec
 Section worst_section(std::span<const CheckedModel> models, std::span<const Check> checks,
                       std::size_t count) {
   Section section{"Worst models", {}};
-  for (const Check& check : checks) {
-    section.blocks.emplace_back(worst_table(
-        rank(models, check, true), check,
-        fmt::format("{}: {}, relative to {}", check.name, check.means, check.unit), count));
-  }
-  for (const Check& check : checks) {
-    const auto open = rank(models, check, false);
-    if (open.empty()) continue;
-    section.blocks.emplace_back(worst_table(
-        open, check, fmt::format("Not judged, for the surface is open: {}", check.means), count));
+  for (const bool is_judged : {true, false}) {
+    for (const Check& check : checks) {
+      std::vector<const CheckedModel*> ranked = rank(models, check, is_judged);
+      std::erase_if(ranked, [&](const CheckedModel* model) {
+        return !((model->result.*check.violation).size > 0);
+      });
+      if (ranked.empty()) continue;
+      section.blocks.emplace_back(
+          worst_table(ranked, check,
+                      fmt::format("{}{}: {}, relative to {}", is_judged ? "" : "Not judged, ",
+                                  check.name, check.means, check.unit),
+                      count));
+    }
   }
   return section;
 }
@@ -221,7 +224,7 @@ std::string summarise(std::span<const CheckedModel> models, std::span<const Chec
     }
   }
   const std::string verdict =
-      broken.empty() ? fmt::format("The guarantees hold on {}", counted(models.size(), "model"))
+      broken.empty() ? "No broken guarantee was found on " + counted(models.size(), "model")
                      : fmt::format("GUARANTEES ARE BROKEN: {}", broken);
   return fmt::format("{}. Largest violations found: {}.", verdict, found);
 }
