@@ -21,6 +21,9 @@ target_compile_options(mdbd_settings INTERFACE
 if(MDBD_SANITIZE)
   set(MDBD_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS})
+  # With AddressSanitizer Eigen aligns memory by itself, and what PCL's libraries took from malloc
+  # would be freed in another way. The sanitizer's malloc is aligned, too.
+  target_compile_definitions(mdbd_settings INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   target_link_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS})
 endif()
 
