@@ -16,8 +16,7 @@ ConsoleProgress::ConsoleProgress(std::string program, bool is_quiet)
 void ConsoleProgress::on_stage(const std::string& stage, std::size_t models) {
   if (is_quiet_) return;
   bar_.erase();
-  bar_.print_above(
-      fmt::format("{}: {} model{} to compute", printable(stage), models, models == 1 ? "" : "s"));
+  bar_.print_above(fmt::format("{}: {} to compute", printable(stage), models));
   bar_.start(models);
 }
 

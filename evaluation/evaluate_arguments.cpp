@@ -131,6 +131,57 @@ void add_invariance(CLI::App& app, EvaluateArguments& arguments) {
   add_worst(*command, arguments.invariance.worst);
 }
 
+/// With the number of balls of the paper's section 5.3.
+Recipe classify_recipe() {
+  Recipe recipe;
+  recipe.balls = 800;
+  return recipe;
+}
+
+void add_classify(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command =
+      add_command(app, arguments, "classify", "How well a small neural network learns the classes",
+                  classify_recipe(), [&](const EvaluationInput& input) {
+                    return make_classify_report(input, arguments.classify);
+                  });
+  ClassifierOptions& network = arguments.classify.network;
+  add_number(*command, "--runs", arguments.classify.runs, 1, 10'000,
+             "Random divisions into training, validation and test")
+      ->capture_default_str();
+  add_number(*command, "--hidden", network.hidden_neurons, 1, 100'000, "Hidden neurons")
+      ->capture_default_str();
+  add_number(*command, "--learning-rate", network.learning_rate, 1e-9, 1.0, "Of Adam")
+      ->capture_default_str();
+  add_number(*command, "--weight-decay", network.weight_decay, 0.0, 1.0, "Of Adam")
+      ->capture_default_str();
+  add_number(*command, "--batch", network.batch_size, 1, 1'000'000, "Models of one step")
+      ->capture_default_str();
+  add_number(*command, "--epochs", network.maximum_epochs, 1, 1'000'000, "At most so many epochs")
+      ->capture_default_str();
+  add_number(*command, "--patience", network.patience, 1, 1'000'000,
+             "Stop after so many epochs without progress")
+      ->capture_default_str();
+}
+
+void add_certificate(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command =
+      add_command(app, arguments, "certificate",
+                  "Whether balls are contained, disjoint and maximal, checked again in another way",
+                  {}, [&](const EvaluationInput& input) {
+                    return make_certificate_report(input, arguments.certificate);
+                  });
+  RecheckOptions& search = arguments.certificate.search;
+  add_number(*command, "--samples", search.samples, 1, 100'000'000,
+             "Points of a model where larger balls are looked for")
+      ->capture_default_str();
+  add_number(*command, "--climbs", search.climbs, 1, 100'000'000,
+             "How many of them climb when a ball is re-checked")
+      ->capture_default_str();
+  add_number(*command, "--worst", arguments.certificate.worst, 0, 1'000'000,
+             "List so many models of each kind of violation")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
@@ -142,6 +193,8 @@ void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
   add_retrieval(app, arguments);
   add_noise(app, arguments);
   add_invariance(app, arguments);
+  add_classify(app, arguments);
+  add_certificate(app, arguments);
 }
 
 }  // namespace mdbd

@@ -8,6 +8,8 @@
 
 #include "evaluation/evaluation_input.h"
 #include "evaluation/report/report.h"
+#include "evaluation/reports/certificate_report.h"
+#include "evaluation/reports/classify_report.h"
 #include "evaluation/reports/invariance_report.h"
 #include "evaluation/reports/noise_report.h"
 #include "evaluation/reports/retrieval_report.h"
@@ -32,6 +34,8 @@ struct EvaluateArguments {
   RetrievalOptions retrieval;
   NoiseOptions noise;
   InvarianceOptions invariance;
+  ClassifyOptions classify;
+  CertificateOptions certificate;
 
   /// Of the command that was given: its recipe, and the function that makes its report.
   Recipe recipe;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/counted.h"
+
 namespace mdbd {
 namespace {
 
@@ -24,11 +26,6 @@ std::string quote(std::string_view word) {
     quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
   }
   return quoted + "'";
-}
-
-/// "1 model", "2 models"
-std::string count(std::size_t number, std::string_view one, std::string_view ending) {
-  return fmt::format("{} {}{}", number, one, number == 1 ? "" : ending);
 }
 
 std::size_t count_classes(const LabelledCollection& collection) {
@@ -51,7 +48,7 @@ std::string place_of(const EvaluationFailure& failure) {
 }
 
 std::string failure_note(std::span<const EvaluationFailure> failures) {
-  std::string text = count(failures.size(), "failure", "s") + ": ";
+  std::string text = counted(failures.size(), "failure") + ": ";
   const std::size_t listed = std::min(failures.size(), failures_in_note);
   for (std::size_t i = 0; i < listed; ++i) {
     text += fmt::format("{}{} ({})", i > 0 ? "; " : "", place_of(failures[i]), failures[i].reason);
@@ -93,15 +90,14 @@ void finish_report(Report& report, const EvaluationInput& input, const ReportOri
   const LabelledCollection& collection = input.collection;
   const std::vector<EvaluationFailure>& failures = input.cache.failures();
   const std::size_t classes = count_classes(collection);
-  report.provenance.insert(
-      report.provenance.begin(),
-      {{"command", origin.command},
-       {"version", origin.version},
-       {"collection",
-        fmt::format("{}: {} in {}", collection.folder.string(),
-                    count(collection.models.size(), "model", "s"), count(classes, "class", "es"))},
-       {"recipe", describe_recipe(input.cache.recipe())},
-       {"seed", std::to_string(input.seed)}});
+  report.provenance.insert(report.provenance.begin(),
+                           {{"command", origin.command},
+                            {"version", origin.version},
+                            {"collection", fmt::format("{}: {} in {}", collection.folder.string(),
+                                                       counted(collection.models.size(), "model"),
+                                                       counted(classes, "class", "es"))},
+                            {"recipe", describe_recipe(input.cache.recipe())},
+                            {"seed", std::to_string(input.seed)}});
   std::vector<std::string> notes = collection.notes;
   if (!failures.empty()) {
     notes.push_back(failure_note(failures));

@@ -8,14 +8,18 @@ set(retrieval "${evaluate} retrieval models --balls 20 --no-rivals")
 set(make_models "mkdir -p models/box models/pyramid && \
   cp '${models}/boxes/cube.off' '${models}/boxes/long.off' models/box && \
   for name in a b c; do cp '${models}/other/tetrahedron.off' models/pyramid/$name.off; done")
+set(more_models "for name in d e f; do cp '${models}/boxes/cube.off' models/box/$name.off; done")
 set(add_damaged "cp '${models}/other/damaged.off' models/box")
 
 mdbd_cli_test(NAME evaluate/help COMMAND mdbd-evaluate --help
-  REGEXP "Usage" "retrieval" "noise" "invariance" "Examples" "Exit codes")
+  REGEXP "Usage" "retrieval" "noise" "invariance" "classify" "certificate" "Examples" "Exit codes")
 mdbd_cli_test(NAME evaluate/command_help COMMAND mdbd-evaluate noise --help
   REGEXP "--levels" "--html" "--cache" "--model-time" "Examples")
 mdbd_cli_test(NAME evaluate/version COMMAND mdbd-evaluate --version
   REGEXP "^mdbd-evaluate ${PROJECT_VERSION}\n$")
+
+mdbd_cli_test(NAME evaluate/classify_has_its_own_number_of_balls
+  COMMAND mdbd-evaluate classify --help REGEXP "--balls N=800")
 
 mdbd_cli_test(NAME evaluate/no_command COMMAND mdbd-evaluate EXIT 2 REGEXP "required")
 mdbd_cli_test(NAME evaluate/no_collection COMMAND mdbd-evaluate noise EXIT 2 REGEXP "COLLECTION")
@@ -53,7 +57,7 @@ mdbd_cli_test(NAME evaluate/json_on_standard_output SETUP "${make_models}"
 mdbd_cli_test(NAME evaluate/quiet SETUP "${make_models}"
   COMMAND sh -c "${retrieval} --quiet" REGEXP "^$")
 mdbd_cli_test(NAME evaluate/second_run_computes_nothing SETUP "${make_models}"
-  COMMAND sh -c "${retrieval} >first 2>log && grep -q '5 models to compute' log && \
+  COMMAND sh -c "${retrieval} >first 2>log && grep -q 'clean models: 5 to compute' log && \
     ${retrieval} >second 2>log && cmp first second && cat log" REGEXP "^$")
 mdbd_cli_test(NAME evaluate/cache_elsewhere SETUP "${make_models} && mkdir kept"
   COMMAND sh -c "${retrieval} --cache kept/here && ls kept/here && ! test -e mdbd-cache"
@@ -102,3 +106,11 @@ mdbd_cli_test(NAME evaluate/noise_of_no_model EXIT 1 SETUP "${make_models}"
   COMMAND mdbd-evaluate noise models --balls 20 --query box/short.off REGEXP "box/short\\.off")
 mdbd_cli_test(NAME evaluate/invariance EXIT 3 SETUP "${make_models}"
   COMMAND mdbd-evaluate invariance models --balls 20 --sample 1 REGEXP "^Invariance on models\n" "mirror")
+mdbd_cli_test(NAME evaluate/classify SETUP "${make_models} && ${more_models}"
+  COMMAND sh -c "${evaluate} classify models --balls 60 --runs 2 --html page.html && \
+    ${page_check} page.html"
+  REGEXP "^Classification of models\n")
+mdbd_cli_test(NAME evaluate/certificate SETUP "${make_models}"
+  COMMAND sh -c "${evaluate} certificate models --balls 20 --html page.html --json report.json && \
+    ${page_check} page.html && ${json_check} report.json"
+  REGEXP "^Certificate of models\n")
