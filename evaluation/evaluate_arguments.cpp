@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options.h"
+#include "features/core/errors.h"
 
 namespace mdbd {
 namespace {
@@ -131,6 +132,18 @@ void add_invariance(CLI::App& app, EvaluateArguments& arguments) {
   add_worst(*command, arguments.invariance.worst);
 }
 
+/// Fails in the same way whatever follows it.
+void add_representations(CLI::App& app) {
+  app.add_subcommand("representations", "Point clouds against meshes: not supported yet")
+      ->group("Commands")
+      ->allow_extras()
+      ->callback([] {
+        throw InvalidInput(
+            "representations: point clouds are not supported yet, so there is nothing to compare "
+            "meshes with");
+      });
+}
+
 /// With the number of balls of the paper's section 5.3.
 Recipe classify_recipe() {
   Recipe recipe;
@@ -193,6 +206,7 @@ void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
   add_retrieval(app, arguments);
   add_noise(app, arguments);
   add_invariance(app, arguments);
+  add_representations(app);
   add_classify(app, arguments);
   add_certificate(app, arguments);
 }

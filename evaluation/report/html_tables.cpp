@@ -65,7 +65,7 @@ std::string confusion_cell(std::size_t count, std::size_t row_sum, bool is_right
 }
 
 std::string confusion_head(const ConfusionMatrix& matrix) {
-  std::string html = "<thead><tr><th scope=\"col\" class=\"corner\">true class</th>";
+  std::string html = "<thead><tr><th scope=\"col\" class=\"corner\">true ↓ predicted →</th>";
   for (const std::string& name : matrix.classes) {
     html += fmt::format("<th scope=\"col\" class=\"upright\"><span>{}</span></th>",
                         escape_markup(name));

@@ -10,6 +10,8 @@ constexpr std::string_view digits = "0123456789";
 constexpr std::string_view number_characters = "0123456789.,+-eE%/ ";
 constexpr std::array<std::string_view, 4> number_signs = {"±", "×", "−", "∞"};
 
+bool is_nothing(std::string_view cell) { return cell.empty() || cell == "–" || cell == "none"; }
+
 }  // namespace
 
 bool is_number(std::string_view cell) {
@@ -34,7 +36,7 @@ bool is_number(std::string_view cell) {
 bool is_number_column(const Table& table, std::size_t column) {
   bool has_number = false;
   for (const auto& row : table.rows) {
-    if (column >= row.size() || row[column].empty() || row[column] == "–") continue;
+    if (column >= row.size() || is_nothing(row[column])) continue;
     if (!is_number(row[column])) return false;
     has_number = true;
   }

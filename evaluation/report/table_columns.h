@@ -11,8 +11,8 @@ namespace mdbd {
 /// "0.05 ± 0.01", "1e-9", "12/40". Neither letters nor an empty cell do.
 bool is_number(std::string_view cell);
 
-/// Whether every cell of a column is a number, or empty or "–", and one is a number. Such columns
-/// are set to the right.
+/// Whether every cell of a column is a number, or empty, "–" or "none", and one is a number. Such
+/// columns are set to the right.
 bool is_number_column(const Table& table, std::size_t column);
 
 }  // namespace mdbd

@@ -12,7 +12,7 @@ set(more_models "for name in d e f; do cp '${models}/boxes/cube.off' models/box/
 set(add_damaged "cp '${models}/other/damaged.off' models/box")
 
 mdbd_cli_test(NAME evaluate/help COMMAND mdbd-evaluate --help
-  REGEXP "Usage" "retrieval" "noise" "invariance" "classify" "certificate" "Examples" "Exit codes")
+  REGEXP "Usage" "retrieval" "noise" "invariance" "representations" "classify" "certificate" "Examples" "Exit codes")
 mdbd_cli_test(NAME evaluate/command_help COMMAND mdbd-evaluate noise --help
   REGEXP "--levels" "--html" "--cache" "--model-time" "Examples")
 mdbd_cli_test(NAME evaluate/version COMMAND mdbd-evaluate --version
@@ -114,3 +114,6 @@ mdbd_cli_test(NAME evaluate/certificate SETUP "${make_models}"
   COMMAND sh -c "${evaluate} certificate models --balls 20 --html page.html --json report.json && \
     ${page_check} page.html && ${json_check} report.json"
   REGEXP "^Certificate of models\n")
+mdbd_cli_test(NAME evaluate/representations EXIT 1 SETUP "${make_models}"
+  COMMAND mdbd-evaluate representations models --json report.json
+  REGEXP "^mdbd-evaluate: error: representations: point clouds are not supported yet")
