@@ -34,6 +34,7 @@ std::string figure(std::string_view caption, std::string_view legend, std::strin
 template <typename Series>
 std::string legend_of(const std::vector<Series>& series, LegendKind kind) {
   std::vector<std::string> names;
+  names.reserve(series.size());
   for (const Series& one : series) names.push_back(one.name);
   return html_legend(names, kind);
 }

@@ -22,7 +22,8 @@ Image decode(const std::string& file) {
   image.version = PNG_IMAGE_VERSION;
   REQUIRE(png_image_begin_read_from_memory(&image, file.data(), file.size()) != 0);
   image.format = PNG_FORMAT_RGB;
-  Image decoded = {image.width, image.height, std::vector<Rgb>(image.width * image.height)};
+  Image decoded = {image.width, image.height, {}};
+  decoded.pixels.resize(decoded.width * decoded.height);
   REQUIRE(png_image_finish_read(&image, nullptr, decoded.pixels.data(), 0, nullptr) != 0);
   return decoded;
 }

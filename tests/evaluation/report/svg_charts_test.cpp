@@ -98,8 +98,8 @@ TEST_CASE("bands are labelled where they are, and only inside") {
 }
 
 TEST_CASE("labels that would touch are left out") {
-  std::vector<StretchLabel> labels;
-  for (int i = 0; i < 100; ++i) labels.push_back({static_cast<double>(i), 1.0, "label"});
+  std::vector<StretchLabel> labels(100, {0.0, 1.0, "label"});
+  for (std::size_t i = 0; i < labels.size(); ++i) labels[i].middle = static_cast<double>(i);
   CHECK(count(svg_stretch_labels(0.0, labels).svg, "<text") == 7);
   CHECK(svg_stretch_labels(0.0, {}).height == 0.0);
 }
