@@ -49,7 +49,8 @@ struct Facet {
   }
 };
 
-// What Eigen's BVMinimize and BVIntersect ask.
+// What Eigen's BVMinimize and BVIntersect ask, in Eigen's names.
+// NOLINTBEGIN(readability-identifier-naming)
 struct NearestQuery {
   using Scalar = double;
   const std::vector<Facet>& facets;
@@ -73,6 +74,7 @@ struct ClearanceQuery {
     return is_hit;
   }
 };
+// NOLINTEND(readability-identifier-naming)
 
 // Adds up angles given as (cosine, sine), to any scale, by multiplying complex numbers and counting
 // how often the sum passes half a turn: one arc tangent for a sum instead of one for each angle.
