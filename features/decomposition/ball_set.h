@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,23 +10,36 @@
 
 namespace mdbd {
 
-/// The balls placed so far, laid out for fast scans.
+/// The balls placed so far, laid out for fast scans. They are numbered in order of placement.
 class BallSet {
  public:
-  std::size_t size() const { return radius_.size(); }
+  std::size_t size() const { return size_; }
   void add(const Ball& ball);
+
+  Witness witness(std::uint32_t ball) const {
+    return {{x_[ball], y_[ball], z_[ball]}, radius_[ball]};
+  }
 
   /// Finds the balls whose surface is nearest to a point and not farther than `limit`: nearest
   /// first, ties in order of placement.
-  /// @param nearest receives them; its size is the number wanted
+  /// @param nearest receives their numbers; its size is the number wanted, at most 16
   /// @returns the number found
   std::size_t find_nearest(const Eigen::Vector3d& point, double limit,
-                           std::span<Witness> nearest) const;
+                           std::span<std::uint32_t> nearest) const {
+    return update_nearest(point, limit, 0, nearest, 0);
+  }
+
+  /// The same among the first `known` of `nearest` and the balls from number `first` on, which is
+  /// faster: for a point close to one whose nearest balls were found when `first` balls were there.
+  std::size_t update_nearest(const Eigen::Vector3d& point, double limit, std::size_t first,
+                             std::span<std::uint32_t> nearest, std::size_t known) const;
 
   /// The distance to the nearest ball's surface, negative inside it; infinity without balls.
   double gap(const Eigen::Vector3d& point) const;
 
  private:
+  std::size_t size_ = 0;
+  // Filled up to whole blocks with balls infinitely far away.
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> z_;

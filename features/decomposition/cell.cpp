@@ -23,17 +23,31 @@ Cell::Probe Cell::next_probe() const {
   return probes_ == 0 && side_ == Side::inside ? Probe::across : Probe::peak;
 }
 
-void Cell::tighten(const RemainingSpace& space) { solve(space); }
+void Cell::tighten(const RemainingSpace& space) {
+  const bool was_bounded = is_bounded_;
+  if (find_nearby_balls(space) || !was_bounded) solve(space);
+}
+
+bool Cell::find_nearby_balls(const RemainingSpace& space) {
+  const BallSet& balls = space.balls();
+  const auto old = nearby_;
+  const std::uint8_t old_count = nearby_count_;
+  nearby_count_ = static_cast<std::uint8_t>(
+      balls.update_nearest(center_, bound_ + half_diagonal(), balls_seen_, nearby_, nearby_count_));
+  balls_seen_ = static_cast<std::uint32_t>(balls.size());
+  is_bounded_ = true;
+  if (nearby_count_ > 0) value_ = std::min(value_, balls.witness(nearby_[0]).value(center_));
+  return nearby_count_ != old_count ||
+         !std::equal(old.begin(), old.begin() + old_count, nearby_.begin());
+}
 
 MaxMinSolution Cell::solve(const RemainingSpace& space) {
   std::array<Witness, kept_witnesses + nearby_balls> witnesses;
   std::size_t count = 0;
   for (; count < witness_count_; ++count) witnesses[count] = witnesses_[count];
-  const std::size_t ball_count = space.balls().find_nearest(
-      center_, bound_ + half_diagonal(), std::span(witnesses).subspan(count, nearby_balls));
-  if (ball_count > 0) value_ = std::min(value_, witnesses[count].value(center_));
-  count += ball_count;
-  balls_seen_ = static_cast<std::uint32_t>(space.balls().size());
+  for (std::size_t i = 0; i < nearby_count_; ++i) {
+    witnesses[count++] = space.balls().witness(nearby_[i]);
+  }
   if (count == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
 
   std::array<AffineFunction, kept_witnesses + nearby_balls> functions;
@@ -42,9 +56,23 @@ MaxMinSolution Cell::solve(const RemainingSpace& space) {
     limit(bound.largest);
     functions[i] = bound.model;
   }
-  const MaxMinSolution solution = maximise_minimum({functions.data(), count}, half_size_);
+  // What is nowhere below the bound says nothing.
+  std::array<std::size_t, kept_witnesses + nearby_balls> origin;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const AffineFunction& f = functions[i];
+    if (f.offset - half_size_ * f.slope.lpNorm<1>() >= bound_) continue;
+    origin[kept] = i;
+    functions[kept++] = f;
+  }
+  binding_ = 0;
+  if (kept == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
+  const MaxMinSolution solution = maximise_minimum({functions.data(), kept}, half_size_);
   limit(solution.value);
-  binding_ = static_cast<std::uint8_t>(solution.binding & ((1U << witness_count_) - 1U));
+  for (std::size_t i = 0; i < kept; ++i) {
+    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_)
+      binding_ |= 1U << origin[i];
+  }
   return solution;
 }
 
@@ -66,7 +94,10 @@ void Cell::measure(RemainingSpace& space) {
   side_ = sample.distance > 0 ? Side::inside : Side::outside;
   distance_ = sample.distance;
   value_ = sample.distance;
+  balls_seen_ = 0;  // what was inherited may not be the nearest balls
+  nearby_count_ = 0;
   limit(distance_ + half_diagonal());
+  find_nearby_balls(space);
   side_is_inherited_ = space.is_closed() && std::abs(distance_) > 0.5 * half_diagonal();
   if (witness_count_ == 0) {
     witness_count_ = 1;
@@ -74,7 +105,7 @@ void Cell::measure(RemainingSpace& space) {
     add_witness(witnesses_[0]);
   }
   witnesses_[0] = {sample.closest, 0.0, sample.piece};
-  tighten(space);
+  solve(space);
 }
 
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
@@ -86,7 +117,7 @@ std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
                                   : Witness{sample.closest, 0.0, sample.piece});
-  tighten(space);
+  solve(space);
   return {point, std::min(sample.distance, space.balls().gap(point))};
 }
 
@@ -133,7 +164,7 @@ Cell Cell::child(int octant) const {
   }
   child.is_measured_ = false;
   child.probes_ = 0;
-  child.balls_seen_ = never;
+  child.is_bounded_ = false;
   if (!side_is_inherited_) child.side_ = Side::unknown;
   child.side_is_inherited_ = false;
   return child;

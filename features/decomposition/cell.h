@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include "features/decomposition/remaining_space.h"
@@ -26,7 +25,9 @@ class Cell {
   bool is_measured() const { return is_measured_; }
 
   /// Whether the bound accounts for all balls placed.
-  bool is_current(const RemainingSpace& space) const { return balls_seen_ == space.balls().size(); }
+  bool is_current(const RemainingSpace& space) const {
+    return is_bounded_ && balls_seen_ == space.balls().size();
+  }
 
   /// d_i at the centre. @pre is_measured() and is_current()
   double value() const { return value_; }
@@ -58,7 +59,6 @@ class Cell {
   static constexpr std::size_t kept_witnesses = 6;
   static constexpr std::size_t nearby_balls = 6;
   static constexpr std::uint8_t max_probes = 2;
-  static constexpr std::uint32_t never = std::numeric_limits<std::uint32_t>::max();
   static_assert(kept_witnesses + nearby_balls <= max_min_capacity);
 
   enum class Probe : std::uint8_t { none, outward, across, peak };
@@ -68,6 +68,7 @@ class Cell {
   Eigen::Vector3d probe_point(const RemainingSpace& space);
   DistanceQuery make_query(const Eigen::Vector3d& point) const;
   void add_witness(const Witness& witness);
+  bool find_nearby_balls(const RemainingSpace& space);
   MaxMinSolution solve(const RemainingSpace& space);
 
   Eigen::Vector3d center_;
@@ -78,7 +79,10 @@ class Cell {
   /// Boundary points and balls outside that touch the boundary; once the centre is measured, the
   /// first is the boundary point closest to it.
   std::array<Witness, kept_witnesses> witnesses_;
-  std::uint32_t balls_seen_ = never;  // the bound accounts for so many balls
+  std::array<std::uint32_t, nearby_balls> nearby_{};
+  std::uint32_t balls_seen_ = 0;  // the nearby ones are among the first so many balls
+  std::uint8_t nearby_count_ = 0;
+  bool is_bounded_ = false;  // by witnesses and balls, and not its parent's bound alone
   std::uint8_t witness_count_ = 0;
   std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i
   std::uint8_t probes_ = 0;

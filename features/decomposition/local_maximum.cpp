@@ -33,15 +33,22 @@ class Ascent {
 
  private:
   double measure(const Eigen::Vector3d& point) {
-    const DistanceSample sample = space_.measure_solid({.point = point});
+    const DistanceSample sample = space_.measure_solid({.point = point, .side = side(point)});
     remember({sample.closest, 0.0, sample.piece});
     double value = sample.distance;
-    std::array<Witness, 1> ball;
-    if (space_.balls().find_nearest(point, value, ball) > 0) {
-      value = ball[0].value(point);
-      remember(ball[0]);
+    std::array<std::uint32_t, 1> nearest;
+    if (space_.balls().find_nearest(point, value, nearest) > 0) {
+      const Witness ball = space_.balls().witness(nearest[0]);
+      value = ball.value(point);
+      remember(ball);
     }
     return value;
+  }
+
+  /// Within its distance from the boundary everything is on the side of the current point.
+  Side side(const Eigen::Vector3d& point) const {
+    const bool is_near = space_.is_closed() && (point - x_).norm() < value_;
+    return is_near ? Side::inside : Side::unknown;
   }
 
   void remember(const Witness& witness) {
@@ -50,7 +57,11 @@ class Ascent {
 
   void find_nearby_balls() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    nearby_count_ = space_.balls().find_nearest(x_, infinity, nearby_);
+    std::array<std::uint32_t, nearby_balls> nearest;
+    nearby_count_ = space_.balls().find_nearest(x_, infinity, nearest);
+    for (std::size_t i = 0; i < nearby_count_; ++i) {
+      nearby_[i] = space_.balls().witness(nearest[i]);
+    }
   }
 
   std::size_t remembered() const { return std::min(witness_count_, remembered_witnesses); }
@@ -88,7 +99,7 @@ class Ascent {
 
   RemainingSpace& space_;
   Eigen::Vector3d x_;
-  double value_;
+  double value_ = 0.0;
   double step_;
   double precision_;
   std::array<Witness, remembered_witnesses> witnesses_;

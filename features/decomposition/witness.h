@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <Eigen/Core>
@@ -42,32 +40,9 @@ struct Witness {
   }
 
   /// What the values over the axis-aligned cube around x are below.
-  CubeBound bound_over_cube(const Eigen::Vector3d& x, double half_size) const {
-    // A piece that is small for the cube says no more than a point, which is cheaper.
-    if (piece != nullptr && piece_is_within(0.5 * half_size)) {
-      return Witness{center}.bound_over_cube(x, half_size);
-    }
-    CubeBound bound{-std::numeric_limits<double>::infinity(), linearise(x)};
-    bound.model.offset = bound.largest;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d offset((corner & 1) != 0 ? half_size : -half_size,
-                                   (corner & 2) != 0 ? half_size : -half_size,
-                                   (corner & 4) != 0 ? half_size : -half_size);
-      const double corner_value = value(x + offset);
-      bound.largest = std::max(bound.largest, corner_value);
-      bound.model.offset =
-          std::max(bound.model.offset, corner_value - bound.model.slope.dot(offset));
-    }
-    return bound;
-  }
+  CubeBound bound_over_cube(const Eigen::Vector3d& x, double half_size) const;
 
  private:
-  bool piece_is_within(double distance) const {
-    return std::all_of(piece->begin(), piece->end(), [&](const Eigen::Vector3d& corner) {
-      return (corner - center).squaredNorm() <= distance * distance;
-    });
-  }
-
   Eigen::Vector3d closest(const Eigen::Vector3d& x) const {
     return piece != nullptr ? closest_point(*piece, x) : center;
   }

@@ -38,6 +38,18 @@ Dipole make_dipole(std::span<const TriangleCorners> triangles) {
   return dipole;
 }
 
+// atan2 to 2e-4: far better than the dipoles, and several times as fast.
+double approximate_atan2(double y, double x) {
+  const double larger = std::max(std::abs(x), std::abs(y));
+  if (!(larger > 0)) return 0.0;
+  const double t = std::min(std::abs(x), std::abs(y)) / larger;
+  const double s = t * t;
+  double angle = ((-0.0464964749 * s + 0.15931422) * s - 0.327622764) * s * t + t;
+  if (std::abs(y) > std::abs(x)) angle = 0.5 * std::numbers::pi - angle;
+  if (x < 0) angle = std::numbers::pi - angle;
+  return std::copysign(angle, y);
+}
+
 // The signed solid angle of a triangle seen from the origin, divided by 4 pi (van Oosterom and
 // Strackee 1983).
 double winding_of_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -47,7 +59,7 @@ double winding_of_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const double lc = c.norm();
   const double numerator = a.dot(b.cross(c));
   const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return std::atan2(numerator, denominator) / (2.0 * std::numbers::pi);
+  return approximate_atan2(numerator, denominator) / (2.0 * std::numbers::pi);
 }
 
 }  // namespace

@@ -23,16 +23,16 @@ TEST_CASE("the nearest balls agree with sorting all of them") {
     for (const Ball& ball : balls) gaps.push_back((point - ball.center).norm() - ball.radius);
     std::sort(gaps.begin(), gaps.end());
     const double limit = gaps[static_cast<std::size_t>(round) % 12];
-    std::array<Witness, 8> nearest;
+    std::array<std::uint32_t, 8> nearest;
     const std::size_t found = set.find_nearest(point, limit, nearest);
     REQUIRE(found == std::min<std::size_t>(8, round % 12 + 1));
-    for (std::size_t i = 0; i < found; ++i) REQUIRE(nearest[i].value(point) == Approx(gaps[i]));
+    for (std::size_t i = 0; i < found; ++i) REQUIRE(set.witness(nearest[i]).value(point) == Approx(gaps[i]));
     REQUIRE(set.gap(point) == Approx(ball_distance(balls, point)));
   }
 }
 
 TEST_CASE("without balls nothing is near") {
-  std::array<Witness, 2> nearest;
+  std::array<std::uint32_t, 2> nearest;
   CHECK(BallSet().find_nearest({0, 0, 0}, 1e9, nearest) == 0);
   CHECK(std::isinf(BallSet().gap({0, 0, 0})));
 }
