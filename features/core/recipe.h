@@ -11,7 +11,7 @@ namespace mdbd {
 inline constexpr std::string_view signature_mdbd_100 = "mdbd-100";
 
 /// Raised whenever the same parameters give other numbers than before.
-inline constexpr int current_algorithm_version = 1;
+inline constexpr int current_algorithm_version = 2;
 
 /// Every parameter that changes numbers. A database holds vectors of one recipe only; vectors of
 /// different recipes are never compared.

@@ -50,11 +50,12 @@ MaxMinSolution Cell::solve(const RemainingSpace& space) {
   }
   if (count == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
 
+  const double largest_factor = space.preference().largest_factor(center_, half_size_);
   std::array<AffineFunction, kept_witnesses + nearby_balls> functions;
   for (std::size_t i = 0; i < count; ++i) {
     const CubeBound bound = witnesses[i].bound_over_cube(center_, half_size_);
-    limit(bound.largest);
-    functions[i] = bound.model;
+    limit(bound.largest * largest_factor);
+    functions[i] = space.preference().apply_over_cube(bound.model, center_, half_size_);
   }
   // What is nowhere below the bound says nothing.
   std::array<std::size_t, kept_witnesses + nearby_balls> origin;
@@ -96,7 +97,7 @@ void Cell::measure(RemainingSpace& space) {
   value_ = sample.distance;
   balls_seen_ = 0;  // what was inherited may not be the nearest balls
   nearby_count_ = 0;
-  limit(distance_ + half_diagonal());
+  limit((distance_ + half_diagonal()) * space.preference().largest_factor(center_, half_size_));
   find_nearby_balls(space);
   side_is_inherited_ = space.is_closed() && std::abs(distance_) > 0.5 * half_diagonal();
   if (witness_count_ == 0) {

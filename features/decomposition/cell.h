@@ -11,7 +11,8 @@ namespace mdbd {
 
 /// A cube of the octree with what is known of the balls centred in it. Object units.
 ///
-/// `bound` only falls: no ball centred in the cell is larger. It rests on the placed balls nearby
+/// `bound` only falls: no ball centred in the cell has a higher rank (see Preference), and so none
+/// is larger. It rests on the placed balls nearby
 /// and on a few witnesses of the boundary, inherited from the parent and found by measuring.
 class Cell {
  public:
@@ -29,7 +30,7 @@ class Cell {
     return is_bounded_ && balls_seen_ == space.balls().size();
   }
 
-  /// d_i at the centre. @pre is_measured() and is_current()
+  /// d_i at the centre, not its rank. @pre is_measured() and is_current()
   double value() const { return value_; }
 
   /// Whether another probe is likely to lower the bound more cheaply than a division.
@@ -46,9 +47,6 @@ class Cell {
   /// @returns the point and the value of d_i there
   std::pair<Eigen::Vector3d, double> probe(RemainingSpace& space);
 
-  /// States that no ball centred in the cell is larger than this.
-  void limit(double bound) { bound_ = std::min(bound_, bound); }
-
   /// One of the eight children; they inherit bound and witnesses. @pre 0 <= octant < 8
   Cell child(int octant) const;
 
@@ -63,6 +61,7 @@ class Cell {
 
   enum class Probe : std::uint8_t { none, outward, across, peak };
 
+  void limit(double bound) { bound_ = std::min(bound_, bound); }
   double half_diagonal() const;
   Probe next_probe() const;
   Eigen::Vector3d probe_point(const RemainingSpace& space);

@@ -1,9 +1,13 @@
 #include "features/decomposition/decompose.h"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
+#include <functional>
+#include <limits>
 #include <queue>
+#include <set>
+#include <span>
+#include <utility>
 
 #include "features/core/errors.h"
 #include "features/decomposition/cell.h"
@@ -13,8 +17,21 @@ namespace mdbd {
 namespace {
 
 // A ball is polished until less than this is to be gained, relative to R.
-constexpr double polish_precision = 1e-12;
-constexpr std::uint32_t no_candidate = std::numeric_limits<std::uint32_t>::max();
+constexpr double polish_precision = 4e-16;
+// Ranks that differ by less, relative to them, are equal.
+constexpr double rank_tie = 1e-10;
+// Two climbs that end so close in rank (relative to it) and place (relative to R) found the same.
+constexpr double same_rank = 1e-7;
+constexpr double same_place = 1e-7;
+// Where the rank is lower than this, relative to the best, no candidate of equal rank is close.
+constexpr double near_tie = 0.9;
+// A ball whose centre is farther from that of the enclosing ball, relative to R, is eccentric.
+constexpr double least_eccentricity = 1e-2;
+// How much work goes into telling near-equal maxima apart: for one ball, and for all.
+constexpr std::uint64_t most_choice_work = 10'000;
+constexpr std::uint64_t all_choice_work = 250'000;
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t overlapped = std::numeric_limits<std::size_t>::max();
 
 // Cells and candidates by their value, the largest first; ties in order of creation.
 struct Entry {
@@ -23,66 +40,74 @@ struct Entry {
   bool operator<(const Entry& other) const {
     return value != other.value ? value < other.value : index > other.index;
   }
+  bool operator>(const Entry& other) const { return other < *this; }
 };
 
 struct Node {
   Cell cell;
-  std::uint32_t candidate = no_candidate;  // found from this cell or an ancestor
-  bool is_misleading = false;              // a climb from the centre led to nothing
+  std::uint32_t candidate = none;  // found from this cell or an ancestor
+  bool has_climbed = false;        // from the centre
 };
 
 struct Candidate {
   LocalMaximum maximum;
-  std::size_t balls_seen;  // it is known to be clear of so many balls
+  std::size_t balls_seen;             // it is known to be clear of so many balls
+  std::vector<std::uint32_t> parked;  // cells in which nothing ranks higher
 };
 
-// Branch and bound over an octree, one heap for the whole run. The top of the heap bounds every
-// ball still possible; bounds only fall as balls are placed, so they are brought up to date when a
-// cell reaches the top.
+// Branch and bound over an octree, one heap for the whole run. The top of the heap bounds the rank
+// of every ball still possible; bounds only fall as balls are placed, so they are brought up to
+// date when a cell reaches the top.
 class Search {
  public:
-  Search(const DistanceField& field, const DecompositionOptions& options)
-      : options_(options), space_(field), scale_(field.enclosing_ball().radius) {
-    const Ball whole = field.enclosing_ball();
-    add({Cell(whole.center, whole.radius, whole.radius)});
+  Search(RemainingSpace& space, const Ball& enclosing, const DecompositionOptions& options)
+      : options_(options), space_(space), scale_(enclosing.radius) {
+    add({Cell(enclosing.center, scale_, scale_ * (1.0 + Preference::weight))});
   }
 
-  BallDecomposition run() {
-    BallDecomposition result;
-    result.scale = scale_;
-    result.is_certified = space_.is_closed();
-    const auto wanted = static_cast<std::size_t>(options_.balls);
-    while (result.balls.size() < wanted) {
-      const double bound = refine_until_certain();
-      const Candidate* best = best_candidate();
-      if (best == nullptr) break;
-      const Ball ball = best->maximum.ball;
-      result.balls.push_back(ball);
-      result.upper_bounds.push_back(std::max(bound, ball.radius));
-      space_.place(ball);
-    }
-    if (result.balls.size() < wanted) {
-      result.termination =
-          result.balls.empty() ? Termination::empty_interior : Termination::minimum_radius;
-    }
-    result.cost = {space_.query_count(), cell_count_};
-    return result;
+  // Places the next ball. @returns false if there is none
+  bool place_next(BallDecomposition& result) {
+    const double bound = refine_until_certain();
+    const std::uint32_t chosen = choose(result.balls);
+    if (chosen == none) return false;
+    const Ball ball = candidates_[chosen].maximum.ball;
+    result.balls.push_back(ball);
+    result.upper_bounds.push_back(std::max(bound, ball.radius));
+    space_.place(ball);
+    return true;
   }
+
+  std::uint64_t cell_count() const { return cell_count_; }
 
  private:
   double minimum_radius() const { return options_.minimum_radius * scale_; }
 
-  // Works on the cell with the largest bound until the best candidate is within the tolerance of
-  // everything else that is possible. Returns the upper bound then.
+  // Works on the cell with the largest bound until everything that could rank as high as the best
+  // candidate is a candidate, too; or, when that takes too long, until the best candidate is within
+  // the tolerance of everything else that is possible. Returns the upper bound then.
   double refine_until_certain() {
+    std::uint64_t left = std::min(choice_left_, most_choice_work);
     while (!cells_.empty()) {
-      const Entry top = cells_.top();
-      if (top.value <= best_radius() * (1.0 + options_.radius_tolerance)) return top.value;
+      const double bound = cells_.top().value;
+      const double best = best_rank();
+      if (bound <= best * (1.0 - rank_tie)) break;
+      const bool is_choice = bound <= best * (1.0 + options_.radius_tolerance);
+      if (is_choice && left == 0) return bound;
+      const std::uint32_t index = cells_.top().index;
       cells_.pop();
-      refine(top.index);
+      const std::uint64_t before = work();
+      refine(index);
+      if (is_choice) {
+        const std::uint64_t spent = std::min(work() - before, left);
+        left -= spent;
+        choice_left_ -= spent;
+      }
     }
-    return minimum_radius();
+    return best_rank() * (1.0 + contact_accuracy);
   }
+
+  // What has been done so far, in about the time of a distance query.
+  std::uint64_t work() const { return space_.query_count() + cell_count_; }
 
   // Does the cheapest thing that may lower the bound of a cell.
   void refine(std::uint32_t index) {
@@ -91,11 +116,12 @@ class Search {
       cell.tighten(space_);
     } else if (!cell.is_measured()) {
       cell.measure(space_);
-    } else if (!nodes_[index].is_misleading && cell.value() > best_radius()) {
-      nodes_[index].is_misleading = !climb(index, cell.center());
+    } else if (!nodes_[index].has_climbed && is_promising(cell)) {
+      nodes_[index].has_climbed = true;
+      explore(index);
     } else if (cell.wants_probe()) {
       const auto [point, value] = cell.probe(space_);
-      if (value > best_radius()) climb(index, point);
+      if (value * space_.preference().factor(point) > best_rank()) climb(index, point);
     } else {
       divide(index);
       return;
@@ -103,35 +129,70 @@ class Search {
     keep(index);
   }
 
-  // Climbs from a point that seems better than every candidate to one that is better still. False
-  // if there is none, which happens where the sign of the field jumps at a hole of the boundary.
-  bool climb(std::uint32_t index, const Eigen::Vector3d& start) {
+  double rank_at_center(const Cell& cell) const {
+    return cell.value() * space_.preference().factor(cell.center());
+  }
+
+  // Whether the centre is better than the best candidate, or cannot be told from it.
+  bool is_promising(const Cell& cell) {
+    const double best = best_rank();
+    const double rank = rank_at_center(cell);
+    return rank > best ||
+           (rank > near_tie * best && cell.bound() <= best * (1.0 + options_.radius_tolerance));
+  }
+
+  // Finds the candidate of a promising cell.
+  void explore(std::uint32_t index) {
+    nodes_[index].candidate = find_resolving_candidate(nodes_[index].cell);
+    if (nodes_[index].candidate == none) climb(index, nodes_[index].cell.center());
+  }
+
+  // Climbs to a candidate, perhaps one that was found before.
+  void climb(std::uint32_t index, const Eigen::Vector3d& start) {
     Node& node = nodes_[index];
     const LocalMaximum maximum =
         find_local_maximum(space_, start, node.cell.half_size(), polish_precision * scale_);
-    if (maximum.ball.radius <= best_radius()) return false;
+    if (maximum.ball.radius <= minimum_radius()) return;
+    node.candidate = find_candidate(maximum);
+    if (node.candidate != none) return;
     node.candidate = static_cast<std::uint32_t>(candidates_.size());
-    candidates_.push_back({maximum, space_.balls().size()});
-    ranking_.push({maximum.ball.radius, node.candidate});
-    apply_basin(node);
-    return true;
+    candidates_.push_back({maximum, space_.balls().size(), {}});
+    ranking_.insert({maximum.rank, node.candidate});
   }
 
-  // A cell inside the basin of a candidate has nothing better.
-  void apply_basin(Node& node) const {
-    if (node.candidate == no_candidate) return;
-    const LocalMaximum& maximum = candidates_[node.candidate].maximum;
-    if (node.cell.reach(maximum.ball.center) > maximum.basin_radius) return;
-    node.cell.limit(maximum.ball.radius * (1.0 + contact_accuracy));
+  // A candidate of the highest rank that is as good as anything in a cell.
+  std::uint32_t find_resolving_candidate(const Cell& cell) {
+    const double least = best_rank() * (1.0 - rank_tie);
+    for (auto it = ranking_.begin(); it != ranking_.end() && it->value >= least; ++it) {
+      if (resolves(candidates_[it->index].maximum, cell) && is_clear(it->index)) return it->index;
+    }
+    return none;
+  }
+
+  // Whether nothing in a cell ranks higher than a candidate, and what ranks equally overlaps it.
+  static bool resolves(const LocalMaximum& maximum, const Cell& cell) {
+    const double reach = cell.reach(maximum.ball.center);
+    return reach <= maximum.basin_radius ||
+           (cell.bound() <= maximum.rank * (1.0 + rank_tie) && reach < maximum.ball.radius);
+  }
+
+  // The same local maximum, if it is known.
+  std::uint32_t find_candidate(const LocalMaximum& maximum) {
+    const auto begin = ranking_.lower_bound({maximum.rank * (1.0 + same_rank), none});
+    for (auto it = begin; it != ranking_.end() && it->value >= maximum.rank * (1.0 - same_rank);
+         ++it) {
+      const Ball& known = candidates_[it->index].maximum.ball;
+      if ((known.center - maximum.ball.center).norm() > same_place * scale_) continue;
+      if (is_clear(it->index)) return it->index;
+    }
+    return none;
   }
 
   void divide(std::uint32_t index) {
     const Node parent = nodes_[index];
     free_.push_back(index);
     for (int octant = 0; octant < 8; ++octant) {
-      Node child{parent.cell.child(octant), parent.candidate};
-      apply_basin(child);
-      add(child);
+      add({parent.cell.child(octant), parent.candidate});
     }
   }
 
@@ -149,46 +210,129 @@ class Search {
     keep(index);
   }
 
-  // Puts a cell into the heap, unless no ball of the minimum radius can be in it.
+  // Puts a cell into the heap, unless no ball of the minimum radius can be in it; or aside, if it
+  // has nothing better than a candidate.
   void keep(std::uint32_t index) {
-    const double bound = nodes_[index].cell.bound();
-    if (bound > minimum_radius()) {
-      cells_.push({bound, index});
-    } else {
+    const Node& node = nodes_[index];
+    if (node.cell.bound() <= minimum_radius()) {
       free_.push_back(index);
+    } else if (is_resolved(node)) {
+      candidates_[node.candidate].parked.push_back(index);
+    } else {
+      cells_.push({node.cell.bound(), index});
     }
   }
 
-  // The largest candidate that no ball placed since overlaps; null if there is none.
-  const Candidate* best_candidate() {
-    while (!ranking_.empty()) {
-      Candidate& best = candidates_[ranking_.top().index];
-      const Ball& ball = best.maximum.ball;
-      if (best.balls_seen == space_.balls().size()) return &best;
-      if (space_.balls().gap(ball.center) >= ball.radius) {
-        best.balls_seen = space_.balls().size();
-        return &best;
-      }
-      ranking_.pop();
+  bool is_resolved(const Node& node) {
+    if (node.candidate == none || !is_clear(node.candidate)) return false;
+    return resolves(candidates_[node.candidate].maximum, node.cell);
+  }
+
+  // Whether no ball placed since overlaps a candidate.
+  bool is_clear(std::uint32_t index) {
+    Candidate& candidate = candidates_[index];
+    if (candidate.balls_seen == overlapped) return false;
+    if (candidate.balls_seen == space_.balls().size()) return true;
+    const Ball& ball = candidate.maximum.ball;
+    const bool is_clear = space_.balls().gap(ball.center) >= ball.radius;
+    candidate.balls_seen = is_clear ? space_.balls().size() : overlapped;
+    return is_clear;
+  }
+
+  // Forgets the candidates at the top that are overlapped; what was parked with them is open again.
+  void drop_overlapped() {
+    while (!ranking_.empty() && !is_clear(ranking_.begin()->index)) {
+      const std::uint32_t index = ranking_.begin()->index;
+      ranking_.erase(ranking_.begin());
+      for (const std::uint32_t cell : std::exchange(candidates_[index].parked, {})) keep(cell);
     }
-    return nullptr;
   }
 
   // What a new candidate must exceed.
-  double best_radius() {
-    const Candidate* best = best_candidate();
-    return best != nullptr ? best->maximum.ball.radius : minimum_radius();
+  double best_rank() {
+    drop_overlapped();
+    return ranking_.empty() ? minimum_radius() : ranking_.begin()->value;
+  }
+
+  // The best candidate; among equals the one nearest to the last ball. `none` if there is none.
+  std::uint32_t choose(std::span<const Ball> placed) {
+    const double least = best_rank() * (1.0 - rank_tie);
+    std::uint32_t chosen = none;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (auto it = ranking_.begin(); it != ranking_.end() && it->value >= least; ++it) {
+      if (!is_clear(it->index)) continue;
+      const Ball& ball = candidates_[it->index].maximum.ball;
+      const double distance = placed.empty() ? 0.0 : (ball.center - placed.back().center).norm();
+      if (chosen != none && distance >= nearest - same_place * scale_) continue;
+      chosen = it->index;
+      nearest = distance;
+    }
+    return chosen;
   }
 
   DecompositionOptions options_;
-  RemainingSpace space_;
+  RemainingSpace& space_;
   double scale_;
   std::deque<Node> nodes_;           // never moved, so that growing needs no second copy
   std::vector<std::uint32_t> free_;  // nodes to be used again
   std::uint64_t cell_count_ = 0;
+  std::uint64_t choice_left_ = all_choice_work;
   std::priority_queue<Entry> cells_;
   std::vector<Candidate> candidates_;
-  std::priority_queue<Entry> ranking_;  // of the candidates
+  std::set<Entry, std::greater<>> ranking_;  // of the candidates
+};
+
+// The whole run: a search for the first balls, up to one that is not in the centre, and a search
+// for the others, whose preference rests on it.
+class Run {
+ public:
+  Run(const DistanceField& field, const DecompositionOptions& options)
+      : options_(options), enclosing_(field.enclosing_ball()), space_(field) {
+    result_.scale = enclosing_.radius;
+    result_.is_certified = space_.is_closed();
+  }
+
+  BallDecomposition run() {
+    const bool has_more = search([&] { return is_eccentric(result_.balls.back()); });
+    if (has_more) {
+      space_.prefer(Preference::opposite(enclosing_, result_.balls.back()));
+      search([] { return false; });
+    }
+    if (!is_complete()) {
+      result_.termination =
+          result_.balls.empty() ? Termination::empty_interior : Termination::minimum_radius;
+    }
+    result_.cost.distance_queries = space_.query_count();
+    return std::move(result_);
+  }
+
+ private:
+  bool is_complete() const {
+    return result_.balls.size() == static_cast<std::size_t>(options_.balls);
+  }
+
+  bool is_eccentric(const Ball& ball) const {
+    return (ball.center - enclosing_.center).norm() > least_eccentricity * enclosing_.radius;
+  }
+
+  // Places balls until `is_enough`, which is asked after each. @returns whether more are wanted
+  template <typename Predicate>
+  bool search(const Predicate& is_enough) {
+    Search search(space_, enclosing_, options_);
+    bool has_more = true;
+    bool goes_on = !is_complete();
+    while (goes_on) {
+      has_more = search.place_next(result_);
+      goes_on = has_more && !is_complete() && !is_enough();
+    }
+    result_.cost.cells += search.cell_count();
+    return has_more && !is_complete();
+  }
+
+  DecompositionOptions options_;
+  Ball enclosing_;
+  RemainingSpace space_;
+  BallDecomposition result_;
 };
 
 }  // namespace
@@ -197,7 +341,7 @@ BallDecomposition decompose(const DistanceField& field, const DecompositionOptio
   if (options.balls < 1) throw InvalidInput("the number of balls must be at least 1");
   if (!(options.radius_tolerance > 0)) throw InvalidInput("the radius tolerance must be above 0");
   if (!(options.minimum_radius > 0)) throw InvalidInput("the minimum radius must be above 0");
-  return Search(field, options).run();
+  return Run(field, options).run();
 }
 
 }  // namespace mdbd

@@ -17,8 +17,13 @@ struct DecompositionOptions {
 /// d_i(x) = min( d(x), min_{j<i} |x - c_j| - r_j ) (paper, B.2).
 ///
 /// Found by branch and bound over an octree. Each ball is contained and disjoint, a local maximum
-/// of d_i to about machine precision, and within the radius tolerance of the global maximum:
+/// to about machine precision, and within the radius tolerance of the global maximum:
 /// upper_bounds[i] <= (1 + epsilon) r_i. The result depends on the arguments alone.
+///
+/// The choice is canonical: of all possible balls the one of the highest rank is placed, where the
+/// rank is the radius, and between equal radii the place (Preference), which does not depend on how
+/// the shape lies. A shape whose near-equal maxima are too many to be told apart in a set amount of
+/// work gets one of them; the tolerance still holds.
 /// @throws InvalidInput if an option is out of range
 BallDecomposition decompose(const DistanceField& field, const DecompositionOptions& options = {});
 

@@ -18,20 +18,23 @@ class Ascent {
  public:
   Ascent(RemainingSpace& space, const Eigen::Vector3d& start, double step, double precision)
       : space_(space), x_(start), step_(step), precision_(precision) {
-    value_ = measure(start);
+    radius_ = measure(start);
     find_nearby_balls();
   }
 
   LocalMaximum run() {
     for (int i = 0; i < max_steps; ++i) {
       const MaxMinSolution promised = maximise_minimum(models(), step_);
-      if (promised.value - value_ <= precision_) break;
-      try_point(x_ + promised.point, promised.value - value_);
+      const double gain = promised.value - rank();
+      if (gain <= precision_) break;
+      try_point(x_ + promised.point, gain);
     }
-    return {{x_, value_}, basin_radius()};
+    return {{x_, radius_}, rank(), basin_radius()};
   }
 
  private:
+  double rank() const { return radius_ * space_.preference().factor(x_); }
+
   double measure(const Eigen::Vector3d& point) {
     const DistanceSample sample = space_.measure_solid({.point = point, .side = side(point)});
     remember({sample.closest, 0.0, sample.piece});
@@ -47,7 +50,7 @@ class Ascent {
 
   /// Within its distance from the boundary everything is on the side of the current point.
   Side side(const Eigen::Vector3d& point) const {
-    const bool is_near = space_.is_closed() && (point - x_).norm() < value_;
+    const bool is_near = space_.is_closed() && (point - x_).norm() < radius_;
     return is_near ? Side::inside : Side::unknown;
   }
 
@@ -68,38 +71,41 @@ class Ascent {
 
   std::span<const AffineFunction> models() {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < remembered(); ++i) models_[count++] = witnesses_[i].linearise(x_);
-    for (std::size_t i = 0; i < nearby_count_; ++i) models_[count++] = nearby_[i].linearise(x_);
+    const auto add = [&](const Witness& witness) {
+      models_[count++] = space_.preference().apply(witness.linearise(x_), x_);
+    };
+    std::for_each_n(witnesses_.begin(), remembered(), add);
+    std::for_each_n(nearby_.begin(), nearby_count_, add);
     return {models_.data(), count};
   }
 
   void try_point(const Eigen::Vector3d& point, double promised_gain) {
-    const double value = measure(point);
-    const double gain = value - value_;
+    const double radius = measure(point);
+    const double gain = radius * space_.preference().factor(point) - rank();
     if (gain < 0.25 * promised_gain) {
       step_ = 0.5 * std::min(step_, (point - x_).lpNorm<Eigen::Infinity>());
     } else if (gain > 0.75 * promised_gain) {
-      step_ = std::min(2.0 * step_, value_);
+      step_ = std::min(2.0 * step_, radius_);
     }
     if (gain <= 0) return;
     x_ = point;
-    value_ = value;
+    radius_ = radius;
     find_nearby_balls();
   }
 
-  // Near the ball the witnesses that touch it bound d_i by v - strength |s| + |s|^2 / (2 v).
+  // Near the ball the witnesses that touch it bound the rank by v - strength |s| + |s|^2 / (2 v).
   double basin_radius() {
     std::array<Eigen::Vector3d, max_min_capacity> directions;
     std::size_t count = 0;
     for (const AffineFunction& model : models()) {
-      if (model.offset <= value_ * (1.0 + contact_accuracy)) directions[count++] = model.slope;
+      if (model.offset <= rank() * (1.0 + contact_accuracy)) directions[count++] = model.slope;
     }
-    return 2.0 * value_ * hold_strength({directions.data(), count});
+    return 2.0 * radius_ * hold_strength({directions.data(), count});
   }
 
   RemainingSpace& space_;
   Eigen::Vector3d x_;
-  double value_ = 0.0;
+  double radius_ = 0.0;  // d_i at x_
   double step_;
   double precision_;
   std::array<Witness, remembered_witnesses> witnesses_;

@@ -4,10 +4,12 @@
 
 namespace mdbd {
 
-/// A local maximum of d_i: the centre and radius of a ball that cannot grow by moving a little.
+/// A local maximum of the rank: a ball that cannot grow, nor slide to a preferred place, by moving
+/// a little.
 struct LocalMaximum {
   Ball ball;
-  /// Proved: no centre within this distance admits a larger ball (but for the relative tolerance
+  double rank = 0.0;  ///< see Preference
+  /// Proved: no centre within this distance has a higher rank (but for the relative tolerance
   /// `contact_accuracy`). Zero if the ball can slide.
   double basin_radius = 0.0;
 };
@@ -15,7 +17,7 @@ struct LocalMaximum {
 /// Witnesses whose values differ by less than this, relative to the radius, count as touching.
 inline constexpr double contact_accuracy = 1e-7;
 
-/// Climbs from a point to a local maximum of d_i. In each step the witnesses met so far are
+/// Climbs from a point to a local maximum of the rank. In each step the witnesses met so far are
 /// linearised and the linear programme over a trust region says where to go; witnesses bound d_i
 /// from above, so where the programme promises nothing more there is nothing more to first order.
 /// @param start a point inside the remaining space

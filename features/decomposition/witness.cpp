@@ -42,23 +42,17 @@ CornerValues squared_distance_to_edge(const CornerPoints& points, const Eigen::V
       .squared_norm();
 }
 
-/// Distances of points from a triangle: to its plane above it, else to its edges.
-CornerValues distances_to_triangle(const CornerPoints& points, const TriangleCorners& triangle) {
-  // A triangle without a reliable normal is as good as its edges.
-  constexpr double least_sine = 1e-7;
+/// Distances of points from a polygon: to its plane above it, else to its edges.
+CornerValues distances_to_polygon(const CornerPoints& points, ConvexPolygon polygon,
+                                  const Eigen::Vector3d& normal) {
   CornerValues to_edges = CornerValues::Constant(std::numeric_limits<double>::infinity());
-  CornerValues inside = CornerValues::Constant(std::numeric_limits<double>::infinity());
-  const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-  double longest = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d edge = triangle[(i + 1) % 3] - triangle[i];
-    to_edges = to_edges.min(squared_distance_to_edge(points, triangle[i], edge));
-    inside = inside.min((points - triangle[i]).dot(normal.cross(edge)));
-    longest = std::max(longest, edge.squaredNorm());
+  CornerValues inside = to_edges;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d side = edge(polygon, i);
+    to_edges = to_edges.min(squared_distance_to_edge(points, polygon[i], side));
+    inside = inside.min((points - polygon[i]).dot(normal.cross(side)));
   }
-  const double squared_normal = normal.squaredNorm();
-  if (!(squared_normal > least_sine * least_sine * longest * longest)) return to_edges.sqrt();
-  const CornerValues to_plane = (points - triangle[0]).dot(normal).square() / squared_normal;
+  const CornerValues to_plane = (points - polygon[0]).dot(normal).square() / normal.squaredNorm();
   return (inside >= 0.0).select(to_plane, to_edges).sqrt();
 }
 
@@ -72,24 +66,24 @@ CubeBound bound_by_corners(const CornerValues& values, const CornerPoints& offse
   return {values.maxCoeff(), {(values - offsets.dot(at_center.slope)).maxCoeff(), at_center.slope}};
 }
 
-/// If the centre of the cube lies above the triangle: exact where all of the cube does.
-std::optional<CubeBound> bound_above_triangle(const TriangleCorners& triangle,
-                                              const Eigen::Vector3d& x, double half_size) {
-  const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+/// If the centre of the cube lies above the polygon: exact where all of the cube does.
+std::optional<CubeBound> bound_above_polygon(ConvexPolygon polygon, const Eigen::Vector3d& x,
+                                             double half_size) {
+  const Eigen::Vector3d normal = area_normal(polygon);
   bool is_cube_above = true;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d inward = normal.cross(triangle[(i + 1) % 3] - triangle[i]);
-    const double margin = (x - triangle[i]).dot(inward);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d inward = normal.cross(edge(polygon, i));
+    const double margin = (x - polygon[i]).dot(inward);
     if (!(margin > 0)) return std::nullopt;
     is_cube_above = is_cube_above && margin > reach_along(inward, half_size);
   }
-  const double height = (x - triangle[0]).dot(normal);
+  const double height = (x - polygon[0]).dot(normal);
   const double scale = std::copysign(1.0 / normal.norm(), height);
   const AffineFunction plane{scale * height, scale * normal};
   const double change = reach_along(plane.slope, half_size);
   if (is_cube_above && plane.offset > change) return CubeBound{plane.offset + change, plane};
   const CornerPoints corners = corners_of_cube(x, half_size);
-  return bound_by_corners(distances_to_triangle(corners, triangle), corners - x, plane);
+  return bound_by_corners(distances_to_polygon(corners, polygon, normal), corners - x, plane);
 }
 
 /// With t the component of an offset along n, |d + s| - n.s = sqrt(d^2 + 2 d t + |s|^2) - t, whose
@@ -103,9 +97,30 @@ CubeBound bound_of_ball(const Eigen::Vector3d& difference, double distance, doub
 
 }  // namespace
 
+Eigen::Vector3d Witness::closest(const Eigen::Vector3d& x) const {
+  if (piece.empty()) return center;
+  const Eigen::Vector3d normal = area_normal(piece);
+  bool is_above = true;
+  Eigen::Vector3d best = center;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Eigen::Vector3d side = edge(piece, i);
+    const Eigen::Vector3d from_corner = x - piece[i];
+    is_above = is_above && normal.cross(side).dot(from_corner) > 0;
+    const double t = std::clamp(side.dot(from_corner) / side.squaredNorm(), 0.0, 1.0);
+    const Eigen::Vector3d candidate = piece[i] + t * side;
+    const double squared = (x - candidate).squaredNorm();
+    if (squared >= nearest) continue;
+    best = candidate;
+    nearest = squared;
+  }
+  if (!is_above) return best;
+  return x - (x - piece[0]).dot(normal) / normal.squaredNorm() * normal;
+}
+
 CubeBound Witness::bound_over_cube(const Eigen::Vector3d& x, double half_size) const {
-  if (piece != nullptr) {
-    if (const auto bound = bound_above_triangle(*piece, x, half_size)) return *bound;
+  if (!piece.empty()) {
+    if (const auto bound = bound_above_polygon(piece, x, half_size)) return *bound;
   }
   const Eigen::Vector3d nearest = closest(x);
   const Eigen::Vector3d difference = x - nearest;

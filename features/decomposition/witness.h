@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "features/core/triangle.h"
+#include "features/core/convex_polygon.h"
 #include "features/decomposition/max_min_program.h"
 
 namespace mdbd {
@@ -26,7 +26,7 @@ struct CubeBound {
 struct Witness {
   Eigen::Vector3d center;
   double radius = 0.0;
-  const TriangleCorners* piece = nullptr;  ///< contains center; only with radius 0
+  ConvexPolygon piece = {};  ///< contains center; only with radius 0
 
   /// The distance of x from the witness, negative inside a ball.
   double value(const Eigen::Vector3d& x) const { return (x - closest(x)).norm() - radius; }
@@ -43,9 +43,7 @@ struct Witness {
   CubeBound bound_over_cube(const Eigen::Vector3d& x, double half_size) const;
 
  private:
-  Eigen::Vector3d closest(const Eigen::Vector3d& x) const {
-    return piece != nullptr ? closest_point(*piece, x) : center;
-  }
+  Eigen::Vector3d closest(const Eigen::Vector3d& x) const;
 };
 
 }  // namespace mdbd

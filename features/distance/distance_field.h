@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "features/core/ball.h"
-#include "features/core/triangle.h"
+#include "features/core/convex_polygon.h"
 
 namespace mdbd {
 
@@ -27,7 +27,7 @@ struct DistanceSample {
   Eigen::Vector3d closest = Eigen::Vector3d::Zero();  ///< a closest point of the boundary
   /// A flat piece of the boundary that contains `closest`, if the representation has any; owned by
   /// the field. It says more about the distances nearby than the point alone.
-  const TriangleCorners* piece = nullptr;
+  ConvexPolygon piece = {};
 };
 
 /// All that a decomposition knows of a shape: distances. One implementation for each

@@ -19,7 +19,8 @@ MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh, bool is_closed)
     : enclosing_ball_(mdbd::enclosing_ball(require_triangles(mesh).vertices)),
       is_closed_(is_closed),
       tree_(mesh),
-      winding_number_(tree_) {
+      winding_number_(tree_),
+      faces_(mesh) {
   if (!(enclosing_ball_.radius > 0)) throw InvalidInput("all vertices of the mesh coincide");
 }
 
@@ -31,9 +32,13 @@ void MeshDistanceField::measure(std::span<const DistanceQuery> queries,
     const double distance = std::sqrt(closest.squared_distance);
     const bool is_inside = query.side == Side::unknown ? winding_number_(query.point) > 0.5
                                                        : query.side == Side::inside;
-    samples[i] = {is_inside ? distance : -distance, closest.point,
-                  &tree_.triangles()[closest.triangle]};
+    samples[i] = {is_inside ? distance : -distance, closest.point, piece_of(closest.triangle)};
   }
+}
+
+ConvexPolygon MeshDistanceField::piece_of(std::uint32_t triangle) const {
+  const ConvexPolygon face = faces_.face_of(tree_.sources()[triangle]);
+  return face.empty() ? ConvexPolygon(tree_.triangles()[triangle]) : face;
 }
 
 }  // namespace mdbd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "features/distance/convex_faces.h"
 #include "features/distance/distance_field.h"
 #include "features/distance/triangle_tree.h"
 #include "features/distance/winding_number.h"
@@ -25,10 +26,13 @@ class MeshDistanceField final : public DistanceField {
                std::span<DistanceSample> samples) const override;
 
  private:
+  ConvexPolygon piece_of(std::uint32_t triangle) const;
+
   Ball enclosing_ball_;
   bool is_closed_;
   TriangleTree tree_;
   WindingNumber winding_number_;
+  ConvexFaces faces_;
 };
 
 }  // namespace mdbd

@@ -37,6 +37,7 @@ struct TriangleTree::Item {
   FloatBox box;
   Eigen::Vector3f center;
   TriangleCorners corners;
+  std::uint32_t source;
 };
 
 struct TriangleTree::Range {
@@ -144,13 +145,17 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
     }
     items[i].box = round_outward(box);
     items[i].center = items[i].box.center();
+    items[i].source = static_cast<std::uint32_t>(i);
   }
   nodes_.reserve(items.size() / 2 + 1);
   const auto count = static_cast<std::uint32_t>(items.size());
   build(items, make_range<std::vector<Item>, Range>(items, 0, count), 0);
-  triangles_.resize(items.size());
-  std::transform(items.begin(), items.end(), triangles_.begin(),
-                 [](const Item& item) { return item.corners; });
+  triangles_.reserve(items.size());
+  sources_.reserve(items.size());
+  for (const Item& item : items) {
+    triangles_.push_back(item.corners);
+    sources_.push_back(item.source);
+  }
 }
 
 std::uint32_t TriangleTree::build(std::vector<Item>& items, const Range& range, int depth) {

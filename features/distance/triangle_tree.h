@@ -39,6 +39,8 @@ class TriangleTree {
 
   const std::vector<TreeNode>& nodes() const { return nodes_; }  ///< nodes()[0] is the root
   const std::vector<TriangleCorners>& triangles() const { return triangles_; }  ///< in leaf order
+  /// The triangle of the mesh that triangles()[i] is.
+  const std::vector<std::uint32_t>& sources() const { return sources_; }
   const Eigen::Vector3d& origin() const { return origin_; }
   double inverse_extent() const { return inverse_extent_; }
 
@@ -51,6 +53,7 @@ class TriangleTree {
 
   std::vector<TreeNode> nodes_;
   std::vector<TriangleCorners> triangles_;
+  std::vector<std::uint32_t> sources_;
   Eigen::Vector3d origin_;
   double inverse_extent_;
 };

@@ -10,10 +10,10 @@ using namespace mdbd::test;
 TEST_CASE("a bound over a cube is never below the value and close to it in small cubes") {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
-    const TriangleCorners piece{random_point(random, 1.0), random_point(random, 1.0),
+    const std::array<Eigen::Vector3d, 3> piece{random_point(random, 1.0), random_point(random, 1.0),
                                 random_point(random, 1.0)};
     Witness witness{piece[0], round % 3 == 0 ? 0.0 : 0.3};
-    if (round % 3 == 2) witness = {piece[0], 0.0, &piece};
+    if (round % 3 == 2) witness = {piece[0], 0.0, piece};
     const Eigen::Vector3d center = random_point(random, 1.0);
     for (const double half_size : {1.0, 0.1, 0.01, 0.001}) {
       const CubeBound bound = witness.bound_over_cube(center, half_size);
@@ -33,8 +33,8 @@ TEST_CASE("a bound over a cube is never below the value and close to it in small
 }
 
 TEST_CASE("above a flat piece a bound is exact") {
-  const TriangleCorners piece{{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}};
-  const Witness witness{{0, 0, 0}, 0.0, &piece};
+  const std::array<Eigen::Vector3d, 3> piece{{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}};
+  const Witness witness{{0, 0, 0}, 0.0, piece};
   const CubeBound bound = witness.bound_over_cube({0.1, 0.2, 1.0}, 0.5);
   CHECK(bound.largest == Approx(1.5));
   CHECK(bound.model.offset == Approx(1.0));
