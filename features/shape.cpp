@@ -10,10 +10,13 @@ namespace mdbd {
 namespace {
 
 Shape to_shape(const MeshFile& file) {
+  // Where neighbours disagree on the outside, the sign changes away from the surface, too.
+  const MeshStatistics& statistics = file.statistics;
+  const bool is_closed = statistics.watertight && statistics.orientation != Orientation::mixed;
   return {.format = file.format,
           .representation = "mesh",
-          .statistics = to_json(file.statistics),
-          .field = std::make_unique<MeshDistanceField>(file.mesh, file.statistics.watertight)};
+          .statistics = to_json(statistics),
+          .field = std::make_unique<MeshDistanceField>(file.mesh, is_closed)};
 }
 
 }  // namespace

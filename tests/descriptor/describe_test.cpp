@@ -50,3 +50,10 @@ TEST_CASE("what encloses nothing is refused with a reason") {
   CHECK_THROWS_WITH(describe_file(folder.path() / "a.off", Recipe{}),
                     Catch::Contains("empty interior"));
 }
+
+TEST_CASE("a closed mesh with a turned face is no closed solid") {
+  TriangleMesh cube = test::make_cube();
+  CHECK(make_mesh_shape(cube).field->is_closed());
+  std::swap(cube.triangles[3][0], cube.triangles[3][1]);
+  CHECK_FALSE(make_mesh_shape(cube).field->is_closed());
+}
