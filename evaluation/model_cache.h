@@ -69,7 +69,7 @@ class Interrupted : public std::runtime_error {
 struct CacheOptions {
   std::filesystem::path folder;  ///< of the databases, one for each recipe; created if missing
   std::size_t jobs = 1;          ///< models computed at the same time
-  ProcessLimits limits;          ///< of one model
+  ProcessLimits limits = {};     ///< of one model
 };
 
 /// Descriptions of models and of changed copies of them, kept in a database: what is there and

@@ -77,9 +77,10 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 }
 
 MeshFile make_mesh(const TriangleMesh& mesh) {
-  PolygonMesh polygons{.vertices = mesh.vertices,
-                       .file_vertices = mesh.vertices.size(),
-                       .file_faces = mesh.triangles.size()};
+  PolygonMesh polygons;
+  polygons.vertices = mesh.vertices;
+  polygons.file_vertices = mesh.vertices.size();
+  polygons.file_faces = mesh.triangles.size();
   for (const Triangle& triangle : mesh.triangles) {
     polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
     polygons.face_ends.push_back(polygons.corners.size());
