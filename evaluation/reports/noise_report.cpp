@@ -106,7 +106,7 @@ QueryDistances distances_of(const NoiseStudy& study, std::size_t query) {
 // ---- Tables and charts ----
 
 std::vector<std::string> score_row(const VariedModels& varied) {
-  if (!varied.robustness) return {varied.name, "0", "–", "–", "–", "–", "–", "–", "–"};
+  if (!varied.robustness) return {varied.name, "0", "–", "–", "–", "–", "–", "–"};
   const Robustness& robustness = *varied.robustness;
   return {varied.name,
           std::to_string(robustness.models.size()),
@@ -115,14 +115,13 @@ std::vector<std::string> score_row(const VariedModels& varied) {
           number_text(robustness.rank_correlation_mean),
           number_text(robustness.rank_correlation_min),
           number_text(robustness.displacement_median),
-          number_text(robustness.displacement_mean),
           number_text(robustness.displacement_90)};
 }
 
 Section score_section(const NoiseStudy& study) {
   Table table{.caption = "Noisy models, queried against the clean collection",
               .columns = {"models", "count", "self first %", "class NN %", "rank corr.", "lowest",
-                          "displacement: median", "mean", "90 %"},
+                          "displacement: median", "90 %"},
               .rows = {score_row(study.unvaried)},
               .is_summary = true};
   for (const VariedModels& varied : study.noisy) table.rows.push_back(score_row(varied));
@@ -136,7 +135,7 @@ Section score_section(const NoiseStudy& study) {
                  "nearest other model is of its class. Rank correlation (Spearman): of its "
                  "distances to all other models with those of the clean model; mean and lowest. "
                  "Displacement: distance from the noisy to the clean model, relative to the "
-                 "distance from the clean model to the nearest other; median, mean, and what "
+                 "distance from the clean model to the nearest other; median, and what "
                  "90 % of the models stay below."}}};
 }
 
