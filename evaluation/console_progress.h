@@ -2,32 +2,25 @@
 
 #include <string>
 
-#include "cli/progress_bar.h"
+#include "cli/run_console.h"
 #include "evaluation/progress.h"
 
 namespace mdbd {
 
-/// Shows an evaluation on standard error, and ends it at SIGINT or SIGTERM; a second one, half a
-/// second later or more, has its default effect. Only one may exist.
+/// Shows an evaluation on a console.
 class ConsoleProgress final : public EvaluationProgress {
  public:
-  /// @param program its name, for messages
-  ConsoleProgress(std::string program, bool is_quiet);
+  /// @param console must outlive this object
+  explicit ConsoleProgress(RunConsole& console) : console_(console) {}
 
   void on_stage(const std::string& stage, std::size_t models) override;
-  void on_model_done(bool has_failed) override;
+  void on_model_done(bool has_failed) override { console_.advance(has_failed); }
   void on_failure(std::string_view stage, std::string_view model, std::string_view reason) override;
-  void on_wait() override;
-  bool is_interrupted() override;
-
-  /// Takes the progress bar off the terminal.
-  void finish();
+  void on_wait() override { console_.refresh(); }
+  bool is_interrupted() override { return console_.is_interrupted(); }
 
  private:
-  std::string program_;
-  bool is_quiet_;
-  bool has_announced_end_ = false;
-  ProgressBar bar_;
+  RunConsole& console_;
 };
 
 }  // namespace mdbd

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_option.h"
 #include "cli/options.h"
 #include "features/core/errors.h"
 
@@ -22,14 +23,6 @@ A collection is a folder with one folder for each class: models/chair/1.off. Wha
 in ./mdbd-cache, so that the same command continues an interrupted run and further reports on the
 same models begin at once. The folder may be deleted at any time.
 Exit codes: 0 done, 1 failed or interrupted, 2 wrong usage, 3 done, but some models failed.)";
-
-template <typename Value, typename Bound>
-CLI::Option* add_number(CLI::App& app, const char* name, Value& value, Bound lowest, Bound highest,
-                        const char* description) {
-  return app.add_option(name, value, description)
-      ->check(CLI::Range(lowest, highest).description(""))
-      ->type_name("N");
-}
 
 /// The same options for every command.
 void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recipe& defaults) {

@@ -29,11 +29,12 @@ ExitCode run(const mdbd::EvaluateArguments& arguments, const std::string& comman
   mdbd::require_writable(arguments.outputs);
   const mdbd::LabelledCollection collection =
       mdbd::find_labelled_models(arguments.collection, arguments.sample_size, arguments.seed);
-  mdbd::ConsoleProgress progress(program, arguments.is_quiet);
+  mdbd::RunConsole console(program, arguments.is_quiet);
+  mdbd::ConsoleProgress progress(console);
   mdbd::ModelCache cache(arguments.cache, arguments.recipe, progress);
   const mdbd::EvaluationInput input{collection, cache, arguments.seed};
   mdbd::Report report = arguments.make_report(input);
-  progress.finish();
+  console.finish();
   mdbd::finish_report(report, input, {command, std::string(mdbd::version())});
   mdbd::write_outputs(report, arguments.outputs);
   print_report(report, arguments);

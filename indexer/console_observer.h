@@ -1,31 +1,24 @@
 #pragma once
 
-#include "cli/progress_bar.h"
+#include "cli/run_console.h"
 #include "indexer/indexer.h"
 
 namespace mdbd {
 
-/// Shows a run on standard error, and ends it at SIGINT or SIGTERM; a second one, half a second
-/// later or more, has its default effect. Only one may exist.
+/// Shows an index run on a console.
 class ConsoleObserver final : public IndexObserver {
  public:
-  /// @param program its name, for messages
-  ConsoleObserver(std::string program, bool is_quiet);
+  /// @param console must outlive this object
+  explicit ConsoleObserver(RunConsole& console) : console_(console) {}
 
-  void on_start(std::size_t models) override;
-  void on_model_done(bool has_failed) override;
+  void on_start(std::size_t models) override { console_.start(models); }
+  void on_model_done(bool has_failed) override { console_.advance(has_failed); }
   void on_failure(const IndexFailure& failure) override;
-  void on_wait() override;
-  bool is_interrupted() override;
-
-  /// Takes the progress bar off the terminal.
-  void finish();
+  void on_wait() override { console_.refresh(); }
+  bool is_interrupted() override { return console_.is_interrupted(); }
 
  private:
-  std::string program_;
-  bool is_quiet_;
-  bool has_announced_end_ = false;
-  ProgressBar bar_;
+  RunConsole& console_;
 };
 
 }  // namespace mdbd

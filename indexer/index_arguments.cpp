@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_option.h"
 #include "cli/options.h"
 
 namespace mdbd {
@@ -19,14 +20,6 @@ constexpr const char* examples = R"(Examples:
 Unchanged files are passed over, so the same command continues an interrupted run. Hidden files and
 links to folders are not followed.
 Exit codes: 0 done, 1 failed or interrupted, 2 wrong usage, 3 done, but some models failed.)";
-
-template <typename Value, typename Bound>
-CLI::Option* add_number(CLI::App& app, const char* name, Value& value, Bound lowest, Bound highest,
-                        const char* description) {
-  return app.add_option(name, value, description)
-      ->check(CLI::Range(lowest, highest).description(""))
-      ->type_name("N");
-}
 
 }  // namespace
 

@@ -30,7 +30,8 @@ ExitCode report(const mdbd::IndexSummary& summary, const mdbd::IndexArguments& a
 }
 
 ExitCode run(const mdbd::IndexArguments& arguments) {
-  mdbd::ConsoleObserver observer(program, arguments.is_quiet);
+  mdbd::RunConsole console(program, arguments.is_quiet);
+  mdbd::ConsoleObserver observer(console);
   // The search comes first: a mistyped path must not leave an empty database behind.
   const mdbd::Discovery found = mdbd::discover(arguments.paths);
   const auto store =
@@ -40,7 +41,7 @@ ExitCode run(const mdbd::IndexArguments& arguments) {
                                 : mdbd::describe_file(path, store->recipe());
   };
   const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
-  observer.finish();
+  console.finish();
   return report(summary, arguments);
 }
 
