@@ -42,6 +42,13 @@ function(mdbd_library name)
   target_compile_features(mdbd_${name} PUBLIC cxx_std_20)
 endfunction()
 
+# Sources with loops over lanes (features/core/vectorised.h). Without errno and traps square roots and
+# selections are single instructions; no result changes.
+function(mdbd_vectorised)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "-O3;-fno-math-errno;-fno-trapping-math")
+endfunction()
+
 # A program of the product: its main is thin, the room's library does the work.
 function(mdbd_program name)
   add_executable(${name} ${ARGN})

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "features/distance/closest_point.h"
 #include "features/distance/convex_faces.h"
 #include "features/distance/distance_field.h"
 #include "features/distance/triangle_tree.h"

@@ -7,7 +7,7 @@
 namespace mdbd {
 namespace {
 
-constexpr std::uint32_t max_leaf_size = 4;
+constexpr std::uint32_t max_leaf_size = TriangleBlock::width;
 constexpr int bin_count = 16;
 // Below this depth ranges are halved, which bounds the depth of any tree and the stack of a query.
 constexpr int max_heuristic_depth = 40;
@@ -182,6 +182,8 @@ std::uint32_t TriangleTree::build(std::vector<Item>& items, const Range& range, 
       if (children[child].size() > max_leaf_size) {
         const std::uint32_t inner = build(items, children[child], depth + 1);
         nodes_[node].inner[child] = inner;
+      } else {
+        nodes_[node].block[child] = add_block(items, children[child]);
       }
     } else {
       set_child(node, child, Range{0, 0, FloatBox()});
@@ -199,89 +201,41 @@ void TriangleTree::set_child(std::uint32_t node, int child, const Range& range) 
   nodes_[node].first[child] = range.begin;
   nodes_[node].count[child] = range.size();
   nodes_[node].inner[child] = 0;
+  nodes_[node].block[child] = 0;
 }
 
-namespace {
-
-// A point as the tree's boxes see it: a small margin around it makes up for the rounding of its
-// coordinates and of the box tests, so that no box is ever left out wrongly.
-struct BoxQuery {
-  float lower[3];
-  float upper[3];
-
-  BoxQuery(const TriangleTree& tree, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d local = (point - tree.origin()) * tree.inverse_extent();
-    const double margin = 4e-7 * (1.0 + local.lpNorm<Eigen::Infinity>());
+// The frame of a triangle in its plane, from its longest side; rounded only at the end, so that
+// needles have one, too.
+std::uint32_t TriangleTree::add_block(const std::vector<Item>& items, const Range& range) {
+  TriangleBlock block;
+  for (int i = 0; i < TriangleBlock::width; ++i) {
+    const std::uint32_t item = std::min(range.begin + i, range.end - 1);
+    TriangleCorners corners = items[item].corners;
+    const auto squared_side = [&](int from) {
+      return (corners[(from + 1) % 3] - corners[from]).squaredNorm();
+    };
+    int longest = 0;
+    for (int side = 1; side < 3; ++side) {
+      if (squared_side(side) > squared_side(longest)) longest = side;
+    }
+    std::ranges::rotate(corners, corners.begin() + longest);
+    const Eigen::Vector3d corner = (corners[0] - origin_) * inverse_extent_;
+    const Eigen::Vector3d side = (corners[1] - corners[0]) * inverse_extent_;
+    const Eigen::Vector3d other = (corners[2] - corners[0]) * inverse_extent_;
+    const Eigen::Vector3d along = side.normalized();
+    const Eigen::Vector3d height = other - other.dot(along) * along;
+    const Eigen::Vector3d across = height.normalized();
     for (int axis = 0; axis < 3; ++axis) {
-      lower[axis] = static_cast<float>(local[axis] - margin);
-      upper[axis] = static_cast<float>(local[axis] + margin);
+      block.corner[axis][i] = static_cast<float>(corner[axis]);
+      block.along[axis][i] = static_cast<float>(along[axis]);
+      block.across[axis][i] = static_cast<float>(across[axis]);
     }
+    block.length[i] = static_cast<float>(side.norm());
+    block.apex[0][i] = static_cast<float>(other.dot(along));
+    block.apex[1][i] = static_cast<float>(height.norm());
   }
-
-  // Squared distances to the four boxes of a node, in tree coordinates, never too large by more
-  // than a relative 1e-6.
-  void squared_distances(const TreeNode& node, float (&distances)[TreeNode::width]) const {
-    for (int c = 0; c < TreeNode::width; ++c) {
-      float sum = 0.0F;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float below = node.lower[axis][c] - upper[axis];
-        const float above = lower[axis] - node.upper[axis][c];
-        const float gap = std::max(std::max(below, above), 0.0F);
-        sum += gap * gap;
-      }
-      distances[c] = sum;
-    }
-  }
-};
-
-struct StackEntry {
-  float squared_distance;
-  std::uint32_t inner;  // the node, or 0 for a leaf
-  std::uint32_t first;
-  std::uint32_t count;
-};
-
-}  // namespace
-
-ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d& point,
-                                double bound) {
-  constexpr double rounding = 1.0 + 4e-6;
-  const BoxQuery query(tree, point);
-  const double to_tree_units = tree.inverse_extent() * tree.inverse_extent() * rounding;
-
-  ClosestPoint best{point, std::numeric_limits<double>::infinity(), 0};
-  auto reach = static_cast<float>(bound * bound * to_tree_units);
-  std::array<StackEntry, TriangleTree::max_stack_size> stack;
-  int size = 0;
-  const auto push_children = [&](const TreeNode& node) {
-    float distances[TreeNode::width];
-    query.squared_distances(node, distances);
-    const int begin = size;
-    for (int c = 0; c < TreeNode::width; ++c) {
-      if (distances[c] > reach || node.count[c] == 0) continue;
-      int at = size++;
-      for (; at > begin && stack[at - 1].squared_distance < distances[c]; --at) {
-        stack[at] = stack[at - 1];
-      }
-      stack[at] = {distances[c], node.inner[c], node.first[c], node.count[c]};
-    }
-  };
-  push_children(tree.nodes()[0]);
-  while (size > 0) {
-    const StackEntry entry = stack[--size];
-    if (entry.squared_distance > reach) continue;
-    if (entry.inner != 0) {
-      push_children(tree.nodes()[entry.inner]);
-      continue;
-    }
-    for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i) {
-      const Eigen::Vector3d candidate = closest_point(tree.triangles()[i], point);
-      const double squared = (candidate - point).squaredNorm();
-      if (squared < best.squared_distance) best = {candidate, squared, i};
-    }
-    reach = std::min(reach, static_cast<float>(best.squared_distance * to_tree_units));
-  }
-  return best;
+  blocks_.push_back(block);
+  return static_cast<std::uint32_t>(blocks_.size() - 1);
 }
 
 }  // namespace mdbd

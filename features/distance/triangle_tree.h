@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "features/core/box.h"
@@ -11,13 +9,13 @@
 
 namespace mdbd {
 
-/// Four children of a tree node, laid out for vector instructions.
+/// The children of a tree node, laid out for vector instructions.
 ///
 /// Bounds are in tree coordinates: (object - origin) * inverse_extent, so that they are about 1 in
 /// size whatever the units of the object. lower[axis][child] and upper[axis][child] enclose the
 /// child's triangles; a child that does not exist has an empty box (lower = +inf, upper = -inf).
 struct TreeNode {
-  static constexpr int width = 4;
+  static constexpr int width = 8;
 
   float lower[3][width];
   float upper[3][width];
@@ -25,19 +23,35 @@ struct TreeNode {
   std::uint32_t first[width];
   std::uint32_t count[width];
   std::uint32_t inner[width];  ///< the node of child c, or 0 if it is a leaf
+  std::uint32_t block[width];  ///< the block with the triangles of child c, if it is a leaf
 };
 
-/// A bounding volume hierarchy over the triangles of a mesh, four children to a node. The structure
-/// that closest-point and winding-number queries share.
+/// The triangles of a leaf, laid out for vector instructions, [axis][triangle]: the corner where the
+/// longest side begins, the unit vector along that side and the one across it in the triangle's
+/// plane, in tree coordinates. In the frame of these three the corners are (0, 0), (length, 0) and
+/// (apex[0], apex[1]) with apex[1] >= 0. Where a leaf has fewer triangles, its last is repeated.
+struct TriangleBlock {
+  static constexpr int width = 8;
+
+  float corner[3][width];
+  float along[3][width];
+  float across[3][width];
+  float length[width];
+  float apex[2][width];
+};
+
+/// A bounding volume hierarchy over the triangles of a mesh, eight children to a node. The
+/// structure that closest-point and winding-number queries share.
 class TriangleTree {
  public:
   /// Enough room for the stack of any depth-first traversal: the depth of a tree is bounded.
-  static constexpr int max_stack_size = 256;
+  static constexpr int max_stack_size = 512;
 
   /// @pre mesh has at least one triangle
   explicit TriangleTree(const TriangleMesh& mesh);
 
   const std::vector<TreeNode>& nodes() const { return nodes_; }  ///< nodes()[0] is the root
+  const std::vector<TriangleBlock>& blocks() const { return blocks_; }
   const std::vector<TriangleCorners>& triangles() const { return triangles_; }  ///< in leaf order
   /// The triangle of the mesh that triangles()[i] is.
   const std::vector<std::uint32_t>& sources() const { return sources_; }
@@ -50,24 +64,14 @@ class TriangleTree {
 
   std::uint32_t build(std::vector<Item>& items, const Range& range, int depth);
   void set_child(std::uint32_t node, int child, const Range& range);
+  std::uint32_t add_block(const std::vector<Item>& items, const Range& range);
 
   std::vector<TreeNode> nodes_;
+  std::vector<TriangleBlock> blocks_;
   std::vector<TriangleCorners> triangles_;
   std::vector<std::uint32_t> sources_;
   Eigen::Vector3d origin_;
   double inverse_extent_;
 };
-
-/// The point of a mesh that is closest to another point.
-struct ClosestPoint {
-  Eigen::Vector3d point;    ///< object units
-  double squared_distance;  ///< object units squared
-  std::uint32_t triangle;   ///< index into TriangleTree::triangles()
-};
-
-/// Finds a closest point of the tree's triangles, exact but for the rounding of doubles.
-/// @param bound an upper bound of the distance, which must be true; infinity if nothing is known
-ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d& point,
-                                double bound = std::numeric_limits<double>::infinity());
 
 }  // namespace mdbd

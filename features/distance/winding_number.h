@@ -19,7 +19,7 @@ class WindingNumber {
   double operator()(const Eigen::Vector3d& point) const;
 
  private:
-  /// The dipoles of a node's four children, in tree coordinates.
+  /// The dipoles of a node's children, in tree coordinates.
   struct Dipoles {
     float center[3][TreeNode::width];  ///< area-weighted centroid
     float normal[3][TreeNode::width];  ///< sum of area vectors / (4 pi)
@@ -27,8 +27,6 @@ class WindingNumber {
   };
 
   Dipoles summarise(const TreeNode& node) const;
-  double winding_of_leaf(std::uint32_t first, std::uint32_t count,
-                         const Eigen::Vector3d& point) const;
   Eigen::Vector3d to_tree_coordinates(const Eigen::Vector3d& point) const;
 
   const TriangleTree& tree_;

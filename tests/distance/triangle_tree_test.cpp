@@ -1,4 +1,4 @@
-#include "features/distance/triangle_tree.h"
+#include "features/distance/closest_point.h"
 
 #include <catch2/catch.hpp>
 
