@@ -8,3 +8,10 @@
 #else
 #define MDBD_VECTORISED
 #endif
+
+/// Before a loop over lanes: keeps the compiler from unrolling it before it can be vectorised.
+#if defined(__GNUC__) && !defined(__clang__)
+#define MDBD_LANES _Pragma("GCC unroll 1")
+#else
+#define MDBD_LANES
+#endif

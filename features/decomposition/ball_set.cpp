@@ -5,16 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "features/core/vectorised.h"
+
 namespace mdbd {
 namespace {
 
-constexpr std::size_t block_size = 16;
+constexpr std::size_t block_size = BallSet::block_size;
 constexpr std::size_t max_wanted = 16;
 constexpr double rounding = 1.0 - 1e-12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using Block = Eigen::Array<double, block_size, 1>;
-using BlockMap = Eigen::Map<const Block>;
 
 /// The nearest balls found so far, nearest first.
 class Ranking {
@@ -50,42 +49,60 @@ class Ranking {
 }  // namespace
 
 void BallSet::add(const Ball& ball) {
-  if (size_ == x_.size()) {
-    for (auto* values : {&x_, &y_, &z_, &radius_}) {
-      values->resize(size_ + block_size, values == &radius_ ? 0.0 : infinity);
-    }
+  const std::size_t lane = size_ % block_size;
+  if (lane == 0) {
+    Block empty;
+    for (auto* values : {&empty.x, &empty.y, &empty.z}) std::ranges::fill(*values, infinity);
+    std::ranges::fill(empty.radius, 0.0);
+    blocks_.push_back(empty);
   }
-  x_[size_] = ball.center.x();
-  y_[size_] = ball.center.y();
-  z_[size_] = ball.center.z();
-  radius_[size_] = ball.radius;
+  Block& block = blocks_.back();
+  block.x[lane] = ball.center.x();
+  block.y[lane] = ball.center.y();
+  block.z[lane] = ball.center.z();
+  block.radius[lane] = ball.radius;
   ++size_;
 }
 
+MDBD_VECTORISED
 std::size_t BallSet::update_nearest(const Eigen::Vector3d& point, double limit, std::size_t first,
                                     std::span<std::uint32_t> nearest, std::size_t known) const {
   std::array<std::uint32_t, max_wanted> old{};
   std::copy_n(nearest.begin(), known, old.begin());
   Ranking ranking(nearest, limit);
   for (std::size_t i = 0; i < known; ++i) ranking.offer(old[i], witness(old[i]).value(point));
-  for (std::size_t begin = first / block_size * block_size; begin < size_; begin += block_size) {
-    const BlockMap radius(&radius_[begin]);
-    const Block squared = (BlockMap(&x_[begin]) - point.x()).square() +
-                          (BlockMap(&y_[begin]) - point.y()).square() +
-                          (BlockMap(&z_[begin]) - point.z()).square();
-    const Block excess = rounding * squared - (radius + ranking.limit()).square();
-    if (excess.minCoeff() > 0) continue;
+  const double x = point.x();
+  const double y = point.y();
+  const double z = point.z();
+  for (std::size_t b = first / block_size; b < blocks_.size(); ++b) {
+    const Block& block = blocks_[b];
+    alignas(32) double squared[block_size];
+    alignas(32) double excess[block_size];  // how far a ball is beyond the limit, in squares
+    for (std::size_t i = 0; i < block_size; ++i) {
+      const double dx = block.x[i] - x;
+      const double dy = block.y[i] - y;
+      const double dz = block.z[i] - z;
+      squared[i] = dx * dx + dy * dy + dz * dz;
+      const double reach = block.radius[i] + ranking.limit();
+      excess[i] = rounding * squared[i] - reach * reach;
+    }
+    for (std::size_t half = block_size / 2; half >= 1; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) excess[i] = std::min(excess[i], excess[i + half]);
+    }
+    if (excess[0] > 0) continue;
+    const std::size_t begin = b * block_size;
     const std::size_t end = std::min(begin + block_size, size_);
     for (std::size_t i = std::max(begin, first); i < end; ++i) {
-      ranking.offer(static_cast<std::uint32_t>(i), std::sqrt(squared[i - begin]) - radius_[i]);
+      ranking.offer(static_cast<std::uint32_t>(i),
+                    std::sqrt(squared[i - begin]) - block.radius[i - begin]);
     }
   }
   return ranking.size();
 }
 
-double BallSet::gap(const Eigen::Vector3d& point) const {
+double BallSet::gap(const Eigen::Vector3d& point, double limit) const {
   std::array<std::uint32_t, 1> nearest;
-  return find_nearest(point, infinity, nearest) > 0 ? witness(nearest[0]).value(point) : infinity;
+  return find_nearest(point, limit, nearest) > 0 ? witness(nearest[0]).value(point) : limit;
 }
 
 }  // namespace mdbd

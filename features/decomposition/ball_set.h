@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,11 +14,15 @@ namespace mdbd {
 /// The balls placed so far, laid out for fast scans. They are numbered in order of placement.
 class BallSet {
  public:
+  static constexpr std::size_t block_size = 16;
+
   std::size_t size() const { return size_; }
   void add(const Ball& ball);
 
   Witness witness(std::uint32_t ball) const {
-    return {{x_[ball], y_[ball], z_[ball]}, radius_[ball]};
+    const Block& block = blocks_[ball / block_size];
+    const std::size_t lane = ball % block_size;
+    return {{block.x[lane], block.y[lane], block.z[lane]}, block.radius[lane]};
   }
 
   /// Finds the balls whose surface is nearest to a point and not farther than `limit`: nearest
@@ -34,16 +39,20 @@ class BallSet {
   std::size_t update_nearest(const Eigen::Vector3d& point, double limit, std::size_t first,
                              std::span<std::uint32_t> nearest, std::size_t known) const;
 
-  /// The distance to the nearest ball's surface, negative inside it; infinity without balls.
-  double gap(const Eigen::Vector3d& point) const;
+  /// The distance to the nearest ball's surface, negative inside it; `limit` if that is less.
+  double gap(const Eigen::Vector3d& point, double limit) const;
 
  private:
+  /// Balls side by side; filled up with balls infinitely far away.
+  struct Block {
+    std::array<double, block_size> x;
+    std::array<double, block_size> y;
+    std::array<double, block_size> z;
+    std::array<double, block_size> radius;
+  };
+
   std::size_t size_ = 0;
-  // Filled up to whole blocks with balls infinitely far away.
-  std::vector<double> x_;
-  std::vector<double> y_;
-  std::vector<double> z_;
-  std::vector<double> radius_;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace mdbd

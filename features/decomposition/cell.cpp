@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+
 namespace mdbd {
 
 Cell::Cell(const Eigen::Vector3d& center, double half_size, double bound)
@@ -23,65 +24,67 @@ Cell::Probe Cell::next_probe() const {
   return probes_ == 0 && side_ == Side::inside ? Probe::across : Probe::peak;
 }
 
-void Cell::tighten(const RemainingSpace& space) {
-  const bool was_bounded = is_bounded_;
-  if (find_nearby_balls(space) || !was_bounded) solve(space);
+void Cell::tighten(const RemainingSpace& space, double enough) {
+  if (find_nearby_balls(space) || !is_solved_) solve(space, enough);
 }
 
 bool Cell::find_nearby_balls(const RemainingSpace& space) {
   const BallSet& balls = space.balls();
+  if (balls_seen_ == balls.size()) return false;
   const auto old = nearby_;
   const std::uint8_t old_count = nearby_count_;
   nearby_count_ = static_cast<std::uint8_t>(
       balls.update_nearest(center_, bound_ + half_diagonal(), balls_seen_, nearby_, nearby_count_));
   balls_seen_ = static_cast<std::uint32_t>(balls.size());
-  is_bounded_ = true;
   if (nearby_count_ > 0) value_ = std::min(value_, balls.witness(nearby_[0]).value(center_));
   return nearby_count_ != old_count ||
          !std::equal(old.begin(), old.begin() + old_count, nearby_.begin());
 }
 
-MaxMinSolution Cell::solve(const RemainingSpace& space) {
-  std::array<Witness, kept_witnesses + nearby_balls> witnesses;
-  std::size_t count = 0;
-  for (; count < witness_count_; ++count) witnesses[count] = witnesses_[count];
+void Cell::solve(const RemainingSpace& space, double enough) {
+  WitnessLanes witnesses;
+  std::array<std::uint8_t, WitnessLanes::capacity> origin;
+  const auto add = [&](const Witness& witness, std::size_t number) {
+    const AffineFunction model = witness.linearise(center_);
+    // What is nowhere below the bound says nothing.
+    if (model.offset - half_diagonal() >= bound_) return;
+    origin[witnesses.count] = static_cast<std::uint8_t>(number);
+    witnesses.add(witness, model.slope);
+  };
+  for (std::size_t i = 0; i < witness_count_; ++i) add(witnesses_[i], i);
   for (std::size_t i = 0; i < nearby_count_; ++i) {
-    witnesses[count++] = space.balls().witness(nearby_[i]);
+    add(space.balls().witness(nearby_[i]), witness_count_ + i);
   }
-  if (count == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
-
-  const double largest_factor = space.preference().largest_factor(center_, half_size_);
-  std::array<AffineFunction, kept_witnesses + nearby_balls> functions;
-  for (std::size_t i = 0; i < count; ++i) {
-    const CubeBound bound = witnesses[i].bound_over_cube(center_, half_size_);
-    limit(bound.largest * largest_factor);
-    functions[i] = space.preference().apply_over_cube(bound.model, center_, half_size_);
-  }
-  // What is nowhere below the bound says nothing.
-  std::array<std::size_t, kept_witnesses + nearby_balls> origin;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const AffineFunction& f = functions[i];
-    if (f.offset - half_size_ * f.slope.lpNorm<1>() >= bound_) continue;
-    origin[kept] = i;
-    functions[kept++] = f;
-  }
+  is_solved_ = true;
   binding_ = 0;
-  if (kept == 0) return {bound_, Eigen::Vector3d::Zero(), 0};
-  const MaxMinSolution solution = maximise_minimum({functions.data(), kept}, half_size_);
-  limit(solution.value);
-  for (std::size_t i = 0; i < kept; ++i) {
-    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_)
-      binding_ |= 1U << origin[i];
+  peak_.setZero();
+  if (witnesses.count == 0) return;
+  const CubeBounds bounds = bound_over_cube(witnesses, space.preference(), center_, half_size_);
+  limit(bounds.smallest);
+  is_solved_ = bound_ > enough;
+  if (!is_solved_) return;
+
+  std::array<AffineFunction, WitnessLanes::capacity> functions;
+  for (std::size_t i = 0; i < witnesses.count; ++i) {
+    functions[i] = {bounds.offset[i],
+                    {bounds.slope[0][i], bounds.slope[1][i], bounds.slope[2][i]}};
   }
-  return solution;
+  const MaxMinSolution solution =
+      maximise_minimum({functions.data(), witnesses.count}, half_size_);
+  limit(solution.value);
+  peak_ = (solution.point / half_size_).cast<float>();
+  for (std::size_t i = 0; i < witnesses.count; ++i) {
+    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_) {
+      binding_ |= 1U << origin[i];
+    }
+  }
 }
 
 DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
   for (std::size_t i = 0; i < witness_count_; ++i) {
     // The boundary passes through every witness, be it a point or a ball.
-    const double distance = witnesses_[i].value(point) + 2.0 * witnesses_[i].radius;
+    const double distance = (point - witnesses_[i].center).norm() + witnesses_[i].radius;
     query.bound = std::min(query.bound, distance);
   }
   return query;
@@ -105,24 +108,24 @@ void Cell::measure(RemainingSpace& space) {
   } else {
     add_witness(witnesses_[0]);
   }
-  witnesses_[0] = {sample.closest, 0.0, sample.piece};
+  witnesses_[0] = space.witness_of(sample);
   solve(space);
 }
 
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
-  const Eigen::Vector3d point = probe_point(space);
+  const Eigen::Vector3d point = probe_point();
   ++probes_;
   DistanceQuery query = make_query(point);
   if (space.is_closed() && std::abs(distance_) > (point - center_).norm()) query.side = side_;
   const DistanceSample sample = space.measure_solid(query);
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
-                                  : Witness{sample.closest, 0.0, sample.piece});
+                                  : space.witness_of(sample));
   solve(space);
-  return {point, std::min(sample.distance, space.balls().gap(point))};
+  return {point, space.balls().gap(point, sample.distance)};
 }
 
-Eigen::Vector3d Cell::probe_point(const RemainingSpace& space) {
+Eigen::Vector3d Cell::probe_point() const {
   const Eigen::Vector3d from_boundary = (center_ - witnesses_[0].center).normalized();
   switch (next_probe()) {
     case Probe::outward: {
@@ -136,7 +139,7 @@ Eigen::Vector3d Cell::probe_point(const RemainingSpace& space) {
     case Probe::none:
       break;
   }
-  return center_ + solve(space).point;
+  return center_ + half_size_ * peak_.cast<double>();
 }
 
 // If there is no room the witness takes the place of the farthest on which the bound does not rest;
@@ -165,7 +168,7 @@ Cell Cell::child(int octant) const {
   }
   child.is_measured_ = false;
   child.probes_ = 0;
-  child.is_bounded_ = false;
+  child.is_solved_ = false;
   if (!side_is_inherited_) child.side_ = Side::unknown;
   child.side_is_inherited_ = false;
   return child;

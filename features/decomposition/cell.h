@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "features/decomposition/cube_bounds.h"
 #include "features/decomposition/remaining_space.h"
 
 namespace mdbd {
@@ -27,7 +28,7 @@ class Cell {
 
   /// Whether the bound accounts for all balls placed.
   bool is_current(const RemainingSpace& space) const {
-    return is_bounded_ && balls_seen_ == space.balls().size();
+    return is_solved_ && balls_seen_ == space.balls().size();
   }
 
   /// d_i at the centre, not its rank. @pre is_measured() and is_current()
@@ -36,8 +37,9 @@ class Cell {
   /// Whether another probe is likely to lower the bound more cheaply than a division.
   bool wants_probe() const { return next_probe() != Probe::none; }
 
-  /// Lowers the bound by all witnesses known, without a distance query.
-  void tighten(const RemainingSpace& space);
+  /// Lowers the bound by all witnesses known, without a distance query: by each alone, and if that
+  /// leaves it above `enough`, by all together.
+  void tighten(const RemainingSpace& space, double enough);
 
   /// Measures the centre.
   void measure(RemainingSpace& space);
@@ -57,18 +59,18 @@ class Cell {
   static constexpr std::size_t kept_witnesses = 6;
   static constexpr std::size_t nearby_balls = 6;
   static constexpr std::uint8_t max_probes = 2;
-  static_assert(kept_witnesses + nearby_balls <= max_min_capacity);
+  static_assert(kept_witnesses + nearby_balls <= WitnessLanes::capacity);
 
   enum class Probe : std::uint8_t { none, outward, across, peak };
 
   void limit(double bound) { bound_ = std::min(bound_, bound); }
   double half_diagonal() const;
   Probe next_probe() const;
-  Eigen::Vector3d probe_point(const RemainingSpace& space);
+  Eigen::Vector3d probe_point() const;
   DistanceQuery make_query(const Eigen::Vector3d& point) const;
   void add_witness(const Witness& witness);
   bool find_nearby_balls(const RemainingSpace& space);
-  MaxMinSolution solve(const RemainingSpace& space);
+  void solve(const RemainingSpace& space, double enough = 0.0);
 
   Eigen::Vector3d center_;
   double half_size_;
@@ -79,9 +81,10 @@ class Cell {
   /// first is the boundary point closest to it.
   std::array<Witness, kept_witnesses> witnesses_;
   std::array<std::uint32_t, nearby_balls> nearby_{};
+  Eigen::Vector3f peak_;  // where the witnesses together allow the most, relative to the half size
   std::uint32_t balls_seen_ = 0;  // the nearby ones are among the first so many balls
   std::uint8_t nearby_count_ = 0;
-  bool is_bounded_ = false;  // by witnesses and balls, and not its parent's bound alone
+  bool is_solved_ = false;  // the bound rests on all witnesses together, not its parent's alone
   std::uint8_t witness_count_ = 0;
   std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i
   std::uint8_t probes_ = 0;

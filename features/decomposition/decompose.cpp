@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <deque>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "features/core/errors.h"
 #include "features/decomposition/cell.h"
+#include "features/decomposition/cell_queue.h"
 #include "features/decomposition/local_maximum.h"
 
 namespace mdbd {
@@ -33,14 +32,13 @@ constexpr std::uint64_t all_choice_work = 250'000;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t overlapped = std::numeric_limits<std::size_t>::max();
 
-// Cells and candidates by their value, the largest first; ties in order of creation.
+// Candidates by their rank, the highest first; ties in order of discovery.
 struct Entry {
-  double value;
-  std::uint32_t index;
+  double rank;
+  std::uint32_t candidate;
   bool operator<(const Entry& other) const {
-    return value != other.value ? value < other.value : index > other.index;
+    return rank != other.rank ? rank > other.rank : candidate < other.candidate;
   }
-  bool operator>(const Entry& other) const { return other < *this; }
 };
 
 struct Node {
@@ -62,7 +60,7 @@ class Search {
  public:
   Search(RemainingSpace& space, const Ball& enclosing, const DecompositionOptions& options)
       : options_(options), space_(space), scale_(enclosing.radius) {
-    add({Cell(enclosing.center, scale_, scale_ * (1.0 + Preference::weight))});
+    keep(add({Cell(enclosing.center, scale_, scale_ * (1.0 + Preference::weight))}));
   }
 
   // Places the next ball. @returns false if there is none
@@ -87,16 +85,14 @@ class Search {
   // the tolerance of everything else that is possible. Returns the upper bound then.
   double refine_until_certain() {
     std::uint64_t left = std::min(choice_left_, most_choice_work);
-    while (!cells_.empty()) {
-      const double bound = cells_.top().value;
+    while (!cells_.is_empty()) {
+      const double bound = cells_.top().bound;
       const double best = best_rank();
-      if (bound <= best * (1.0 - rank_tie)) break;
+      if (bound <= enough()) break;
       const bool is_choice = bound <= best * (1.0 + options_.radius_tolerance);
       if (is_choice && left == 0) return bound;
-      const std::uint32_t index = cells_.top().index;
-      cells_.pop();
       const std::uint64_t before = work();
-      refine(index);
+      refine_top();
       if (is_choice) {
         const std::uint64_t spent = std::min(work() - before, left);
         left -= spent;
@@ -109,11 +105,12 @@ class Search {
   // What has been done so far, in about the time of a distance query.
   std::uint64_t work() const { return space_.query_count() + cell_count_; }
 
-  // Does the cheapest thing that may lower the bound of a cell.
-  void refine(std::uint32_t index) {
+  // Does the cheapest thing that may lower the bound of the cell at the top.
+  void refine_top() {
+    const std::uint32_t index = cells_.top().cell;
     Cell& cell = nodes_[index].cell;
     if (!cell.is_current(space_)) {
-      cell.tighten(space_);
+      cell.tighten(space_, enough());
     } else if (!cell.is_measured()) {
       cell.measure(space_);
     } else if (!nodes_[index].has_climbed && is_promising(cell)) {
@@ -123,11 +120,19 @@ class Search {
       const auto [point, value] = cell.probe(space_);
       if (value * space_.preference().factor(point) > best_rank()) climb(index, point);
     } else {
+      cells_.pop();
       divide(index);
       return;
     }
-    keep(index);
+    if (set_aside(index)) {
+      cells_.pop();
+    } else {
+      cells_.lower_top(cell.bound());
+    }
   }
+
+  // A cell with a lower bound does not matter for the next ball.
+  double enough() { return best_rank() * (1.0 - rank_tie); }
 
   double rank_at_center(const Cell& cell) const {
     return cell.value() * space_.preference().factor(cell.center());
@@ -163,8 +168,8 @@ class Search {
   // A candidate of the highest rank that is as good as anything in a cell.
   std::uint32_t find_resolving_candidate(const Cell& cell) {
     const double least = best_rank() * (1.0 - rank_tie);
-    for (auto it = ranking_.begin(); it != ranking_.end() && it->value >= least; ++it) {
-      if (resolves(candidates_[it->index].maximum, cell) && is_clear(it->index)) return it->index;
+    for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
+      if (resolves(candidates_[it->candidate].maximum, cell) && is_clear(it->candidate)) return it->candidate;
     }
     return none;
   }
@@ -179,11 +184,11 @@ class Search {
   // The same local maximum, if it is known.
   std::uint32_t find_candidate(const LocalMaximum& maximum) {
     const auto begin = ranking_.lower_bound({maximum.rank * (1.0 + same_rank), none});
-    for (auto it = begin; it != ranking_.end() && it->value >= maximum.rank * (1.0 - same_rank);
+    for (auto it = begin; it != ranking_.end() && it->rank >= maximum.rank * (1.0 - same_rank);
          ++it) {
-      const Ball& known = candidates_[it->index].maximum.ball;
+      const Ball& known = candidates_[it->candidate].maximum.ball;
       if ((known.center - maximum.ball.center).norm() > same_place * scale_) continue;
-      if (is_clear(it->index)) return it->index;
+      if (is_clear(it->candidate)) return it->candidate;
     }
     return none;
   }
@@ -192,11 +197,14 @@ class Search {
     const Node parent = nodes_[index];
     free_.push_back(index);
     for (int octant = 0; octant < 8; ++octant) {
-      add({parent.cell.child(octant), parent.candidate});
+      const std::uint32_t child = add({parent.cell.child(octant), parent.candidate});
+      if (set_aside(child)) continue;
+      nodes_[child].cell.tighten(space_, enough());
+      keep(child);
     }
   }
 
-  void add(const Node& node) {
+  std::uint32_t add(const Node& node) {
     ++cell_count_;
     std::uint32_t index;
     if (free_.empty()) {
@@ -207,20 +215,26 @@ class Search {
       free_.pop_back();
       nodes_[index] = node;
     }
-    keep(index);
+    return index;
   }
 
-  // Puts a cell into the heap, unless no ball of the minimum radius can be in it; or aside, if it
-  // has nothing better than a candidate.
+  // Puts a cell into the queue, unless it can be set aside.
   void keep(std::uint32_t index) {
+    if (!set_aside(index)) cells_.push({nodes_[index].cell.bound(), index});
+  }
+
+  // Forgets a cell in which no ball of the minimum radius can be, and parks one that has nothing
+  // better than a candidate. @returns whether it did
+  bool set_aside(std::uint32_t index) {
     const Node& node = nodes_[index];
     if (node.cell.bound() <= minimum_radius()) {
       free_.push_back(index);
     } else if (is_resolved(node)) {
       candidates_[node.candidate].parked.push_back(index);
     } else {
-      cells_.push({node.cell.bound(), index});
+      return false;
     }
+    return true;
   }
 
   bool is_resolved(const Node& node) {
@@ -234,15 +248,15 @@ class Search {
     if (candidate.balls_seen == overlapped) return false;
     if (candidate.balls_seen == space_.balls().size()) return true;
     const Ball& ball = candidate.maximum.ball;
-    const bool is_clear = space_.balls().gap(ball.center) >= ball.radius;
+    const bool is_clear = space_.balls().gap(ball.center, ball.radius) >= ball.radius;
     candidate.balls_seen = is_clear ? space_.balls().size() : overlapped;
     return is_clear;
   }
 
   // Forgets the candidates at the top that are overlapped; what was parked with them is open again.
   void drop_overlapped() {
-    while (!ranking_.empty() && !is_clear(ranking_.begin()->index)) {
-      const std::uint32_t index = ranking_.begin()->index;
+    while (!ranking_.empty() && !is_clear(ranking_.begin()->candidate)) {
+      const std::uint32_t index = ranking_.begin()->candidate;
       ranking_.erase(ranking_.begin());
       for (const std::uint32_t cell : std::exchange(candidates_[index].parked, {})) keep(cell);
     }
@@ -251,7 +265,7 @@ class Search {
   // What a new candidate must exceed.
   double best_rank() {
     drop_overlapped();
-    return ranking_.empty() ? minimum_radius() : ranking_.begin()->value;
+    return ranking_.empty() ? minimum_radius() : ranking_.begin()->rank;
   }
 
   // The best candidate; among equals the one nearest to the last ball. `none` if there is none.
@@ -259,12 +273,12 @@ class Search {
     const double least = best_rank() * (1.0 - rank_tie);
     std::uint32_t chosen = none;
     double nearest = std::numeric_limits<double>::infinity();
-    for (auto it = ranking_.begin(); it != ranking_.end() && it->value >= least; ++it) {
-      if (!is_clear(it->index)) continue;
-      const Ball& ball = candidates_[it->index].maximum.ball;
+    for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
+      if (!is_clear(it->candidate)) continue;
+      const Ball& ball = candidates_[it->candidate].maximum.ball;
       const double distance = placed.empty() ? 0.0 : (ball.center - placed.back().center).norm();
       if (chosen != none && distance >= nearest - same_place * scale_) continue;
-      chosen = it->index;
+      chosen = it->candidate;
       nearest = distance;
     }
     return chosen;
@@ -277,9 +291,9 @@ class Search {
   std::vector<std::uint32_t> free_;  // nodes to be used again
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
-  std::priority_queue<Entry> cells_;
+  CellQueue cells_;
   std::vector<Candidate> candidates_;
-  std::set<Entry, std::greater<>> ranking_;  // of the candidates
+  std::set<Entry> ranking_;  // of the candidates
 };
 
 // The whole run: a search for the first balls, up to one that is not in the centre, and a search

@@ -37,7 +37,7 @@ class Ascent {
 
   double measure(const Eigen::Vector3d& point) {
     const DistanceSample sample = space_.measure_solid({.point = point, .side = side(point)});
-    remember({sample.closest, 0.0, sample.piece});
+    remember(space_.witness_of(sample));
     double value = sample.distance;
     std::array<std::uint32_t, 1> nearest;
     if (space_.balls().find_nearest(point, value, nearest) > 0) {

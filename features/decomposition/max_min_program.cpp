@@ -3,44 +3,74 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
+
+#include "features/core/vectorised.h"
+
+// The methods become part of maximise_minimum(), which is compiled for each instruction set.
+#define MDBD_PART_OF_CALLER [[gnu::always_inline]] inline
 
 namespace mdbd {
 namespace {
 
 constexpr int columns = 4;  // as many variables are nonbasic at any time
-constexpr int max_rows = max_min_capacity + 3;
+constexpr int lanes = 4;    // rows are worked on in groups of so many
+constexpr int max_rows = max_min_capacity;
+static_assert(max_rows % lanes == 0);
 constexpr int max_pivots = 64;
 constexpr double pivot_tolerance = 1e-11;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Calls visit(r) for all rows, in groups of lanes.
+template <typename Visitor>
+MDBD_PART_OF_CALLER void for_each_row(int padded_count, Visitor&& visit) {
+  for (int begin = 0; begin < padded_count; begin += lanes) {
+    MDBD_LANES
+    for (int i = 0; i < lanes; ++i) visit(begin + i);
+  }
+}
+
 // Maximise t with t <= f_i(s). In u = s + half_size (so 0 <= u <= size) and slacks
 // z_i = f_i(u) - t >= 0. Variables 0, 1, 2 are u, variable 3 + i is z_i. Each basic variable and t
 // are affine in the nonbasic ones, which are all zero: a variable at its upper bound is replaced by
-// its complement ("flipped").
+// its complement ("flipped"). The tableau is stored by columns; rows beyond the last are zero.
 class Simplex {
  public:
-  Simplex(std::span<const AffineFunction> functions, double half_size)
+  MDBD_PART_OF_CALLER Simplex(std::span<const AffineFunction> functions, double half_size)
       : size_(2 * half_size), half_size_(half_size) {
-    const Eigen::Vector3d corner = Eigen::Vector3d::Constant(-half_size);
-    const auto at_corner = [&](const AffineFunction& f) { return f.offset + f.slope.dot(corner); };
+    const auto count = static_cast<int>(functions.size());
+    std::array<double, max_rows> at_corner;
     int lowest = 0;
-    for (int i = 1; i < static_cast<int>(functions.size()); ++i) {
-      if (at_corner(functions[i]) < at_corner(functions[lowest])) lowest = i;
+    for (int i = 0; i < count; ++i) {
+      const AffineFunction& f = functions[i];
+      at_corner[i] = f.offset - half_size * (f.slope[0] + f.slope[1] + f.slope[2]);
+      if (at_corner[i] < at_corner[lowest]) lowest = i;
     }
     // t = f_lowest - z_lowest is substituted everywhere.
     const AffineFunction& base = functions[lowest];
     nonbasic_ = {0, 1, 2, 3 + lowest};
-    objective_ = {at_corner(base), {base.slope[0], base.slope[1], base.slope[2], -1.0}};
-    for (int i = 0; i < static_cast<int>(functions.size()); ++i) {
+    objective_constant_ = at_corner[lowest];
+    objective_ = {base.slope[0], base.slope[1], base.slope[2], -1.0};
+    for (int i = 0; i < count; ++i) {
       if (i == lowest) continue;
-      const Eigen::Vector3d slope = functions[i].slope - base.slope;
       basic_[row_count_] = 3 + i;
-      rows_[row_count_++] = {std::max(0.0, at_corner(functions[i]) - at_corner(base)),
-                             {slope[0], slope[1], slope[2], 1.0}};
+      upper_bound_[row_count_] = infinity;
+      constants_[row_count_] = std::max(0.0, at_corner[i] - at_corner[lowest]);
+      for (int c = 0; c < 3; ++c) {
+        coefficients_[c][row_count_] = functions[i].slope[c] - base.slope[c];
+      }
+      coefficients_[3][row_count_] = 1.0;
+      ++row_count_;
+    }
+    padded_count_ = (row_count_ + lanes - 1) / lanes * lanes;
+    for (int r = row_count_; r < padded_count_; ++r) {
+      constants_[r] = 0.0;
+      upper_bound_[r] = infinity;
+      for (auto& column : coefficients_) column[r] = 0.0;
     }
   }
 
-  bool solve() {
+  MDBD_PART_OF_CALLER bool solve() {
     for (int pivots = 0; pivots < max_pivots; ++pivots) {
       const int entering = choose_entering();
       if (entering < 0) return true;
@@ -49,37 +79,31 @@ class Simplex {
     return false;
   }
 
-  MaxMinSolution solution() const {
-    MaxMinSolution solution{objective_.constant, Eigen::Vector3d::Zero(), 0};
+  MDBD_PART_OF_CALLER MaxMinSolution solution() const {
+    MaxMinSolution solution{objective_constant_, Eigen::Vector3d::Zero(), 0};
     for (const int variable : nonbasic_) {
       set_coordinate(variable, 0.0, solution.point);
       if (variable >= 3) solution.binding |= 1U << (variable - 3);
     }
-    for (int r = 0; r < row_count_; ++r) {
-      set_coordinate(basic_[r], rows_[r].constant, solution.point);
-    }
+    for (int r = 0; r < row_count_; ++r) set_coordinate(basic_[r], constants_[r], solution.point);
     return solution;
   }
 
  private:
-  struct Row {
-    double constant;
-    std::array<double, columns> coefficients;
-  };
+  using Column = std::array<double, max_rows>;
 
-  double upper_bound(int variable) const { return variable < 3 ? size_ : infinity; }
-
-  void set_coordinate(int variable, double value, Eigen::Vector3d& point) const {
+  MDBD_PART_OF_CALLER void set_coordinate(int variable, double value,
+                                          Eigen::Vector3d& point) const {
     if (variable >= 3) return;
     point[variable] = (flipped_[variable] ? size_ - value : value) - half_size_;
   }
 
-  int choose_entering() const {
+  MDBD_PART_OF_CALLER int choose_entering() const {
     int best = -1;
     double steepest = pivot_tolerance;
     for (int c = 0; c < columns; ++c) {
-      if (objective_.coefficients[c] > steepest) {
-        steepest = objective_.coefficients[c];
+      if (objective_[c] > steepest) {
+        steepest = objective_[c];
         best = c;
       }
     }
@@ -88,76 +112,88 @@ class Simplex {
 
   // Increases the entering variable until it or a basic variable meets a bound; false if rounding
   // hides every bound.
-  bool advance(int entering) {
-    double step = upper_bound(nonbasic_[entering]);
+  MDBD_PART_OF_CALLER bool advance(int entering) {
+    const Column& rates = coefficients_[entering];
+    alignas(32) Column limits;
+    for_each_row(padded_count_, [&](int r) {
+      const double rate = rates[r];
+      const double room = rate < 0.0 ? constants_[r] : upper_bound_[r] - constants_[r];
+      limits[r] = std::abs(rate) > pivot_tolerance ? room / std::abs(rate) : infinity;
+    });
+    double step = nonbasic_[entering] < 3 ? size_ : infinity;
     int leaving = -1;
-    bool leaves_at_upper = false;
     for (int r = 0; r < row_count_; ++r) {
-      const double rate = rows_[r].coefficients[entering];
-      double limit = infinity;
-      if (rate < -pivot_tolerance) {
-        limit = rows_[r].constant / -rate;
-      } else if (rate > pivot_tolerance) {
-        limit = (upper_bound(basic_[r]) - rows_[r].constant) / rate;
-      }
-      if (limit < step) {
-        step = std::max(0.0, limit);
+      if (limits[r] < step) {
+        step = std::max(0.0, limits[r]);
         leaving = r;
-        leaves_at_upper = rate > 0;
       }
     }
     if (step == infinity) return false;
     if (leaving < 0) {
       flip_nonbasic(entering);
     } else {
-      if (leaves_at_upper) flip_basic(leaving);
+      if (rates[leaving] > 0) flip_basic(leaving);
       pivot(leaving, entering);
     }
     return true;
   }
 
-  void flip_nonbasic(int column) {
-    flipped_[nonbasic_[column]] = !flipped_[nonbasic_[column]];
-    const auto substitute = [&](Row& row) {
-      row.constant += row.coefficients[column] * size_;
-      row.coefficients[column] = -row.coefficients[column];
-    };
-    substitute(objective_);
-    std::for_each_n(rows_.begin(), row_count_, substitute);
+  MDBD_PART_OF_CALLER void flip_nonbasic(int c) {
+    flipped_[nonbasic_[c]] = !flipped_[nonbasic_[c]];
+    objective_constant_ += objective_[c] * size_;
+    objective_[c] = -objective_[c];
+    Column& column = coefficients_[c];
+    for_each_row(padded_count_, [&](int r) {
+      constants_[r] += column[r] * size_;
+      column[r] = -column[r];
+    });
   }
 
-  void flip_basic(int r) {
+  MDBD_PART_OF_CALLER void flip_basic(int r) {
     flipped_[basic_[r]] = !flipped_[basic_[r]];
-    rows_[r].constant = size_ - rows_[r].constant;
-    for (double& coefficient : rows_[r].coefficients) coefficient = -coefficient;
+    constants_[r] = size_ - constants_[r];
+    for (auto& column : coefficients_) column[r] = -column[r];
   }
 
-  void pivot(int r, int column) {
-    const double divisor = -1.0 / rows_[r].coefficients[column];
-    Row solved = rows_[r];
-    solved.coefficients[column] = -1.0;
-    solved.constant *= divisor;
-    for (double& coefficient : solved.coefficients) coefficient *= divisor;
-    const auto substitute = [&](Row& row) {
-      const double factor = row.coefficients[column];
-      row.constant += factor * solved.constant;
-      row.coefficients[column] = 0.0;
-      for (int c = 0; c < columns; ++c) row.coefficients[c] += factor * solved.coefficients[c];
-    };
-    substitute(objective_);
-    std::for_each_n(rows_.begin(), row_count_, substitute);
-    rows_[r] = solved;
-    std::swap(basic_[r], nonbasic_[column]);
+  MDBD_PART_OF_CALLER void pivot(int pivot_row, int c) {
+    const double divisor = -1.0 / coefficients_[c][pivot_row];
+    const double constant = constants_[pivot_row] * divisor;
+    std::array<double, columns> solved;
+    for (int k = 0; k < columns; ++k) {
+      solved[k] = (k == c ? -1.0 : coefficients_[k][pivot_row]) * divisor;
+    }
+    alignas(32) Column factors;
+    for_each_row(padded_count_, [&](int r) {
+      factors[r] = coefficients_[c][r];
+      coefficients_[c][r] = 0.0;
+      constants_[r] += factors[r] * constant;
+    });
+    const double objective_factor = std::exchange(objective_[c], 0.0);
+    objective_constant_ += objective_factor * constant;
+    for (int k = 0; k < columns; ++k) {
+      Column& column = coefficients_[k];
+      const double factor = solved[k];
+      objective_[k] += objective_factor * factor;
+      for_each_row(padded_count_, [&](int r) { column[r] += factors[r] * factor; });
+      column[pivot_row] = factor;
+    }
+    constants_[pivot_row] = constant;
+    std::swap(basic_[pivot_row], nonbasic_[c]);
+    upper_bound_[pivot_row] = basic_[pivot_row] < 3 ? size_ : infinity;
   }
 
   double size_;
   double half_size_;
   int row_count_ = 0;
-  std::array<Row, max_rows> rows_;
+  int padded_count_ = 0;
+  alignas(32) Column constants_;
+  alignas(32) std::array<Column, columns> coefficients_;
+  alignas(32) Column upper_bound_;
   std::array<int, max_rows> basic_;
   std::array<int, columns> nonbasic_;
   std::array<bool, 3> flipped_{};
-  Row objective_;
+  double objective_constant_ = 0.0;
+  std::array<double, columns> objective_;
 };
 
 // What each function alone allows.
@@ -171,6 +207,7 @@ MaxMinSolution separate_bound(std::span<const AffineFunction> functions, double 
 
 }  // namespace
 
+MDBD_VECTORISED
 MaxMinSolution maximise_minimum(std::span<const AffineFunction> functions, double half_size) {
   Simplex simplex(functions, half_size);
   return simplex.solve() ? simplex.solution() : separate_bound(functions, half_size);

@@ -7,6 +7,17 @@
 
 namespace mdbd {
 
+/// The factor of the rank (Preference) over a cube. With an affine bound a + b . s of d_i, the rank
+/// is at most a f + |b|_1 p + (b f + a c d) . s where d_i is positive: the product of both, with its
+/// term of second order replaced by the largest that it can be.
+struct CubePreference {
+  double factor;          ///< f
+  double coupling = 0.0;  ///< c
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< d
+  double product = 0.0;   ///< p
+  double largest_factor;  ///< of a point of the cube
+};
+
 /// Decides between balls of equal radius in a way that does not depend on how the shape lies: the
 /// one farther from a point of reference comes first. Plates, rods and pipes have maxima that can
 /// slide; this slides them until something holds them, and fills the shape from one side.
@@ -41,23 +52,20 @@ class Preference {
     return factor_at(((middle - reference_).cwiseAbs().array() + half_size).matrix().norm());
   }
 
-  /// Turns an affine bound of d_i over the axis-aligned cube around x into one of the rank. It is
-  /// not above the product of both, where d_i is positive, by more than terms of second order.
-  AffineFunction apply_over_cube(const AffineFunction& bound, const Eigen::Vector3d& x,
-                                 double half_size) const {
+  /// How affine bounds of d_i over the axis-aligned cube around x become bounds of the rank.
+  CubePreference over_cube(const Eigen::Vector3d& x, double half_size) const {
+    const double largest = largest_factor(x, half_size);
     const Eigen::Vector3d offset = x - reference_;
     const double distance = offset.norm();
-    if (distance <= 2.0 * half_size) {
-      const double factor = largest_factor(x, half_size);
-      return {bound.offset * factor, bound.slope * factor};
-    }
+    if (distance <= 2.0 * half_size) return {.factor = largest, .largest_factor = largest};
     // The distance from the reference is at most distance + direction . s + 3/2 h^2 / distance.
     const Eigen::Vector3d direction = offset / distance;
     const double squared = half_size * half_size;
-    const double factor = factor_at(distance + 1.5 * squared / distance);
-    const double product = squared * bound.slope.lpNorm<1>() * direction.lpNorm<1>();
-    return {bound.offset * factor + slope_ * product,
-            bound.slope * factor + slope_ * bound.offset * direction};
+    return {.factor = factor_at(distance + 1.5 * squared / distance),
+            .coupling = slope_,
+            .direction = direction,
+            .product = slope_ * squared * direction.lpNorm<1>(),
+            .largest_factor = largest};
   }
 
   /// Turns the first-order model of a bound of d_i around x into that of the rank.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <unordered_map>
 
 #include "features/decomposition/ball_set.h"
 #include "features/decomposition/preference.h"
@@ -21,6 +24,15 @@ class RemainingSpace {
     return field_.measure(query);
   }
 
+  /// What a sample tells. A flat piece that is small for the distance tells no more than its point.
+  /// @returns a witness that is valid as long as this object
+  Witness witness_of(const DistanceSample& sample) {
+    if (sample.piece.empty() || !is_large(sample)) return {sample.closest};
+    const auto [entry, is_new] = pieces_.try_emplace(sample.piece.data());
+    if (is_new) entry->second = std::make_unique<FlatPiece>(sample.piece);
+    return {sample.closest, 0.0, entry->second.get()};
+  }
+
   const Preference& preference() const { return preference_; }
   /// Ranks by another preference; all ranks and their bounds from before are void.
   void prefer(const Preference& preference) { preference_ = preference; }
@@ -30,9 +42,18 @@ class RemainingSpace {
   std::uint64_t query_count() const { return query_count_; }
 
  private:
+  static bool is_large(const DistanceSample& sample) {
+    constexpr double least_extent = 0.1;
+    const double least = least_extent * sample.distance;
+    return std::ranges::any_of(sample.piece, [&](const Eigen::Vector3d& corner) {
+      return (corner - sample.closest).squaredNorm() > least * least;
+    });
+  }
+
   const DistanceField& field_;
   Preference preference_;
   BallSet balls_;
+  std::unordered_map<const Eigen::Vector3d*, std::unique_ptr<const FlatPiece>> pieces_;
   std::uint64_t query_count_ = 0;
 };
 

@@ -60,6 +60,7 @@ using Lanes = float[TreeNode::width];
 inline void dipole_terms(const float (&center)[3][TreeNode::width],
                          const float (&normal)[3][TreeNode::width], const float (&p)[3],
                          Lanes& terms, Lanes& squared) {
+  MDBD_LANES
   for (int c = 0; c < TreeNode::width; ++c) {
     const float x = center[0][c] - p[0];
     const float y = center[1][c] - p[1];
