@@ -25,7 +25,61 @@ Cell::Probe Cell::next_probe() const {
 }
 
 void Cell::tighten(const RemainingSpace& space, double enough) {
-  if (find_nearby_balls(space) || !is_solved_) solve(space, enough);
+  const std::uint32_t first_new = balls_seen_;
+  if (!find_nearby_balls(space) && is_solved_) return;
+  for (std::size_t i = 0; i < nearby_count_; ++i) {
+    if (nearby_[i] >= first_new) limit_by(space.balls().witness(nearby_[i]), space);
+  }
+  solve(space, enough);
+}
+
+void Cell::limit_by(const Witness& ball, const RemainingSpace& space) {
+  limit((reach(ball.center) - ball.radius) *
+        space.preference().largest_factor(center_, half_size_));
+}
+
+void Cell::tighten(const CubeBounds& bounds, double enough) {
+  binding_ = 0;
+  peak_.setZero();
+  limit(bounds.smallest);
+  is_solved_ = bound_ > enough;
+  if (!is_solved_) return;
+  std::array<AffineFunction, WitnessLanes::capacity> functions;
+  std::array<std::uint8_t, WitnessLanes::capacity> origin;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < bounds.count; ++i) {
+    const AffineFunction f{bounds.offset[i],
+                           {bounds.slope[0][i], bounds.slope[1][i], bounds.slope[2][i]}};
+    // What is nowhere below the bound says nothing.
+    if (f.offset - half_size_ * f.slope.lpNorm<1>() >= bound_) continue;
+    origin[kept] = static_cast<std::uint8_t>(i);
+    functions[kept++] = f;
+  }
+  if (kept == 0) return;
+  const MaxMinSolution solution = maximise_minimum({functions.data(), kept}, half_size_);
+  limit(solution.value);
+  peak_ = (solution.point / half_size_).cast<float>();
+  for (std::size_t i = 0; i < kept; ++i) {
+    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_) {
+      binding_ |= 1U << origin[i];
+    }
+  }
+}
+
+WitnessLanes Cell::witnesses(const RemainingSpace& space) const {
+  WitnessLanes lanes;
+  for (std::size_t i = 0; i < witness_count_; ++i) lanes.add(witnesses_[i]);
+  for (std::size_t i = 0; i < nearby_count_; ++i) lanes.add(space.balls().witness(nearby_[i]));
+  return lanes;
+}
+
+void Cell::solve(const RemainingSpace& space, double enough) {
+  is_solved_ = bound_ > enough;
+  if (!is_solved_) return;
+  const WitnessLanes lanes = witnesses(space);
+  if (lanes.count > 0) {
+    tighten(bound_over_cube(lanes, space.preference(), center_, half_size_), enough);
+  }
 }
 
 bool Cell::find_nearby_balls(const RemainingSpace& space) {
@@ -41,45 +95,6 @@ bool Cell::find_nearby_balls(const RemainingSpace& space) {
          !std::equal(old.begin(), old.begin() + old_count, nearby_.begin());
 }
 
-void Cell::solve(const RemainingSpace& space, double enough) {
-  WitnessLanes witnesses;
-  std::array<std::uint8_t, WitnessLanes::capacity> origin;
-  const auto add = [&](const Witness& witness, std::size_t number) {
-    const AffineFunction model = witness.linearise(center_);
-    // What is nowhere below the bound says nothing.
-    if (model.offset - half_diagonal() >= bound_) return;
-    origin[witnesses.count] = static_cast<std::uint8_t>(number);
-    witnesses.add(witness, model.slope);
-  };
-  for (std::size_t i = 0; i < witness_count_; ++i) add(witnesses_[i], i);
-  for (std::size_t i = 0; i < nearby_count_; ++i) {
-    add(space.balls().witness(nearby_[i]), witness_count_ + i);
-  }
-  is_solved_ = true;
-  binding_ = 0;
-  peak_.setZero();
-  if (witnesses.count == 0) return;
-  const CubeBounds bounds = bound_over_cube(witnesses, space.preference(), center_, half_size_);
-  limit(bounds.smallest);
-  is_solved_ = bound_ > enough;
-  if (!is_solved_) return;
-
-  std::array<AffineFunction, WitnessLanes::capacity> functions;
-  for (std::size_t i = 0; i < witnesses.count; ++i) {
-    functions[i] = {bounds.offset[i],
-                    {bounds.slope[0][i], bounds.slope[1][i], bounds.slope[2][i]}};
-  }
-  const MaxMinSolution solution =
-      maximise_minimum({functions.data(), witnesses.count}, half_size_);
-  limit(solution.value);
-  peak_ = (solution.point / half_size_).cast<float>();
-  for (std::size_t i = 0; i < witnesses.count; ++i) {
-    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_) {
-      binding_ |= 1U << origin[i];
-    }
-  }
-}
-
 DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
   for (std::size_t i = 0; i < witness_count_; ++i) {
@@ -90,7 +105,7 @@ DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
   return query;
 }
 
-void Cell::measure(RemainingSpace& space) {
+void Cell::measure(RemainingSpace& space, double enough) {
   DistanceQuery query = make_query(center_);
   query.side = side_;
   const DistanceSample sample = space.measure_solid(query);
@@ -109,10 +124,10 @@ void Cell::measure(RemainingSpace& space) {
     add_witness(witnesses_[0]);
   }
   witnesses_[0] = space.witness_of(sample);
-  solve(space);
+  solve(space, enough);
 }
 
-std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
+std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space, double enough) {
   const Eigen::Vector3d point = probe_point();
   ++probes_;
   DistanceQuery query = make_query(point);
@@ -121,8 +136,12 @@ std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space) {
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
                                   : space.witness_of(sample));
-  solve(space);
-  return {point, space.balls().gap(point, sample.distance)};
+  solve(space, enough);
+  double value = sample.distance;
+  for (std::size_t i = 0; i < nearby_count_; ++i) {
+    value = std::min(value, space.balls().witness(nearby_[i]).value(point));
+  }
+  return {point, value};
 }
 
 Eigen::Vector3d Cell::probe_point() const {

@@ -41,13 +41,19 @@ class Cell {
   /// leaves it above `enough`, by all together.
   void tighten(const RemainingSpace& space, double enough);
 
-  /// Measures the centre.
-  void measure(RemainingSpace& space);
+  /// The same with bounds over this cell that rest on all witnesses known.
+  void tighten(const CubeBounds& bounds, double enough);
+
+  /// All witnesses known: boundary points, balls outside, and placed balls.
+  WitnessLanes witnesses(const RemainingSpace& space) const;
+
+  /// Measures the centre and tightens the bound.
+  void measure(RemainingSpace& space, double enough);
 
   /// Measures where that is likely to lower the bound most: outside the solid, across the medial
   /// axis from the boundary point nearest to the centre, or where the witnesses allow the most.
-  /// @returns the point and the value of d_i there
-  std::pair<Eigen::Vector3d, double> probe(RemainingSpace& space);
+  /// @returns the point and an upper bound of d_i there: the balls far from the centre are left out
+  std::pair<Eigen::Vector3d, double> probe(RemainingSpace& space, double enough);
 
   /// One of the eight children; they inherit bound and witnesses. @pre 0 <= octant < 8
   Cell child(int octant) const;
@@ -70,7 +76,8 @@ class Cell {
   DistanceQuery make_query(const Eigen::Vector3d& point) const;
   void add_witness(const Witness& witness);
   bool find_nearby_balls(const RemainingSpace& space);
-  void solve(const RemainingSpace& space, double enough = 0.0);
+  void solve(const RemainingSpace& space, double enough);
+  void limit_by(const Witness& ball, const RemainingSpace& space);
 
   Eigen::Vector3d center_;
   double half_size_;

@@ -2,99 +2,151 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "features/core/vectorised.h"
 
 namespace mdbd {
 namespace {
 
-constexpr std::size_t lanes = 4;  // loops run over groups of so many
+constexpr std::size_t lanes = 4;  // loops run over groups of so many witnesses
 constexpr std::size_t capacity = WitnessLanes::capacity;
 static_assert(capacity % lanes == 0);
 
-// Fills the last group of lanes by repeating the last witness. @returns the number of lanes
-std::size_t fill_up(WitnessLanes& witnesses) {
-  const std::size_t last = witnesses.count - 1;
-  const std::size_t end = (witnesses.count + lanes - 1) / lanes * lanes;
-  for (std::size_t i = witnesses.count; i < end; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      witnesses.center[axis][i] = witnesses.center[axis][last];
-      witnesses.slope[axis][i] = witnesses.slope[axis][last];
-    }
-    witnesses.radius[i] = witnesses.radius[last];
+using Values = double[capacity];
+
+std::size_t padded(std::size_t count) { return (count + lanes - 1) / lanes * lanes; }
+
+// What witnesses allow at the nodes of a grid: `side` to a side, `step` apart, x fastest. Lanes
+// without a witness repeat the last one.
+template <int side>
+[[gnu::always_inline]] inline void measure_grid(const WitnessLanes& witnesses,
+                                                const Eigen::Vector3d& lowest, double step,
+                                                Values* values) {
+  WitnessLanes w = witnesses;
+  const std::size_t end = padded(w.count);
+  while (w.count < end) {
+    w.add({{w.center[0][w.count - 1], w.center[1][w.count - 1], w.center[2][w.count - 1]},
+           w.radius[w.count - 1]});
   }
-  return end;
-}
-
-}  // namespace
-
-// A convex function less a linear one is convex, too, and so largest at a corner of the cube.
-MDBD_VECTORISED
-CubeBounds bound_over_cube(WitnessLanes& witnesses, const Preference& preference,
-                           const Eigen::Vector3d& center, double half_size) {
-  const std::size_t end = fill_up(witnesses);
-  const WitnessLanes& w = witnesses;
-  const CubePreference rank = preference.over_cube(center, half_size);
-  const double x = center.x();
-  const double y = center.y();
-  const double z = center.z();
-  alignas(32) double farthest[capacity];  // largest distance of a corner
-  alignas(32) double constant[capacity];  // of the affine bound of the distance
-  for (std::size_t begin = 0; begin < end; begin += lanes) {
-    double far[lanes] = {};
-    double highest[lanes];
-    std::fill_n(highest, lanes, -std::numeric_limits<double>::infinity());
-    for (int corner = 0; corner < 8; ++corner) {
-      const double ox = (corner & 1) != 0 ? half_size : -half_size;
-      const double oy = (corner & 2) != 0 ? half_size : -half_size;
-      const double oz = (corner & 4) != 0 ? half_size : -half_size;
+  constexpr int nodes = side * side * side;
+  for (int node = 0; node < nodes; ++node) {
+    const double x = lowest.x() + step * (node % side);
+    const double y = lowest.y() + step * (node / side % side);
+    const double z = lowest.z() + step * (node / (side * side));
+    for (std::size_t begin = 0; begin < end; begin += lanes) {
       MDBD_LANES
-      for (std::size_t i = 0; i < lanes; ++i) {
-        const double cx = x + ox - w.center[0][begin + i];
-        const double cy = y + oy - w.center[1][begin + i];
-        const double cz = z + oz - w.center[2][begin + i];
-        const double distance = std::sqrt(cx * cx + cy * cy + cz * cz);
-        const double rise = ox * w.slope[0][begin + i] + oy * w.slope[1][begin + i] +
-                            oz * w.slope[2][begin + i];
-        far[i] = std::max(far[i], distance);
-        highest[i] = std::max(highest[i], distance - rise);
+      for (std::size_t i = begin; i < begin + lanes; ++i) {
+        const double dx = x - w.center[0][i];
+        const double dy = y - w.center[1][i];
+        const double dz = z - w.center[2][i];
+        values[node][i] = std::sqrt(dx * dx + dy * dy + dz * dz) - w.radius[i];
       }
     }
-    std::copy_n(far, lanes, farthest + begin);
-    std::copy_n(highest, lanes, constant + begin);
   }
-  for (std::size_t i = 0; i < w.count; ++i) {
+  for (std::size_t i = 0; i < witnesses.count; ++i) {
     if (w.piece[i] == nullptr) continue;
-    const DistanceBound bound = w.piece[i]->bound_over_cube(
-        center, half_size, {w.slope[0][i], w.slope[1][i], w.slope[2][i]});
-    farthest[i] = bound.largest;
-    constant[i] = bound.constant;
+    double distances[nodes];
+    if constexpr (side == 2) {
+      w.piece[i]->measure_corners(lowest, step, distances);
+    } else {
+      w.piece[i]->measure_octants(lowest, step, distances);
+    }
+    for (int node = 0; node < nodes; ++node) values[node][i] = distances[node];
   }
+}
 
+// Affine bounds from the values at the corners of a cube. What witnesses allow is convex, and so is
+// its difference from an affine function: both are largest at a corner. The slope is the one that
+// fits the corners best.
+[[gnu::always_inline]] inline CubeBounds fit(const Values* const (&corners)[8], std::size_t count,
+                                             const CubePreference& rank, double half_size) {
+  const double per_corner = 0.125 / half_size;
+  const std::size_t end = padded(count);
   CubeBounds bounds;
+  bounds.count = count;
+  alignas(32) Values largest;
   for (std::size_t begin = 0; begin < end; begin += lanes) {
+    MDBD_LANES
     for (std::size_t i = begin; i < begin + lanes; ++i) {
-      const double offset = constant[i] - w.radius[i];
-      const double sx = w.slope[0][i];
-      const double sy = w.slope[1][i];
-      const double sz = w.slope[2][i];
+      const double v0 = (*corners[0])[i];
+      const double v1 = (*corners[1])[i];
+      const double v2 = (*corners[2])[i];
+      const double v3 = (*corners[3])[i];
+      const double v4 = (*corners[4])[i];
+      const double v5 = (*corners[5])[i];
+      const double v6 = (*corners[6])[i];
+      const double v7 = (*corners[7])[i];
+      const double sx = per_corner * ((v1 - v0) + (v3 - v2) + (v5 - v4) + (v7 - v6));
+      const double sy = per_corner * ((v2 - v0) + (v3 - v1) + (v6 - v4) + (v7 - v5));
+      const double sz = per_corner * ((v4 - v0) + (v5 - v1) + (v6 - v2) + (v7 - v3));
+      const double hx = half_size * sx;
+      const double hy = half_size * sy;
+      const double hz = half_size * sz;
+      const double a = std::max(std::max(v0 + (hx + hy + hz), v7 - (hx + hy + hz)),
+                                std::max(v1 - (hx - hy - hz), v6 + (hx - hy - hz)));
+      const double b = std::max(std::max(v2 - (hy - hx - hz), v5 + (hy - hx - hz)),
+                                std::max(v3 - (hx + hy - hz), v4 + (hx + hy - hz)));
+      const double offset = std::max(a, b);
+      const double highest = std::max(std::max(std::max(v0, v1), std::max(v2, v3)),
+                                      std::max(std::max(v4, v5), std::max(v6, v7)));
+
       const double steepness = std::abs(sx) + std::abs(sy) + std::abs(sz);
       const double coupled = rank.coupling * offset;
       const double rank_x = sx * rank.factor + coupled * rank.direction.x();
       const double rank_y = sy * rank.factor + coupled * rank.direction.y();
       const double rank_z = sz * rank.factor + coupled * rank.direction.z();
-      bounds.offset[i] = offset * rank.factor + rank.product * steepness;
+      const double rank_offset = offset * rank.factor + rank.product * steepness;
+      bounds.offset[i] = rank_offset;
       bounds.slope[0][i] = rank_x;
       bounds.slope[1][i] = rank_y;
       bounds.slope[2][i] = rank_z;
       const double reach =
-          bounds.offset[i] + half_size * (std::abs(rank_x) + std::abs(rank_y) + std::abs(rank_z));
-      farthest[i] = std::min(reach, (farthest[i] - w.radius[i]) * rank.largest_factor);
+          rank_offset + half_size * (std::abs(rank_x) + std::abs(rank_y) + std::abs(rank_z));
+      largest[i] = std::min(reach, highest * rank.largest_factor);
     }
   }
-  bounds.smallest = *std::min_element(farthest, farthest + w.count);
+  bounds.smallest = *std::min_element(largest, largest + count);
   return bounds;
+}
+
+}  // namespace
+
+MDBD_VECTORISED
+CubeBounds bound_over_cube(const WitnessLanes& witnesses, const Preference& preference,
+                           const Eigen::Vector3d& center, double half_size) {
+  alignas(32) Values values[8];
+  measure_grid<2>(witnesses, center.array() - half_size, 2.0 * half_size, values);
+  const Values* const corners[8] = {&values[0], &values[1], &values[2], &values[3],
+                                    &values[4], &values[5], &values[6], &values[7]};
+  return fit(corners, witnesses.count, preference.over_cube(center, half_size), half_size);
+}
+
+MDBD_VECTORISED
+static void measure_octants(const WitnessLanes& witnesses, const Eigen::Vector3d& center,
+                            double half_size, Values* values) {
+  measure_grid<3>(witnesses, center.array() - half_size, half_size, values);
+}
+
+OctantBounds::OctantBounds(const WitnessLanes& witnesses, const Eigen::Vector3d& center,
+                           double half_size)
+    : center_(center), half_size_(half_size), count_(witnesses.count) {
+  measure_octants(witnesses, center, half_size, values_);
+}
+
+MDBD_VECTORISED
+CubeBounds OctantBounds::of_octant(int octant, const Preference& preference) const {
+  Eigen::Vector3d center = center_;
+  int lowest = 0;
+  for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= 3) {
+    const bool is_upper = (octant >> axis & 1) != 0;
+    center[axis] += is_upper ? 0.5 * half_size_ : -0.5 * half_size_;
+    lowest += is_upper ? stride : 0;
+  }
+  const Values* const corners[8] = {&values_[lowest],     &values_[lowest + 1],
+                                    &values_[lowest + 3], &values_[lowest + 4],
+                                    &values_[lowest + 9], &values_[lowest + 10],
+                                    &values_[lowest + 12], &values_[lowest + 13]};
+  return fit(corners, count_, preference.over_cube(center, 0.5 * half_size_), 0.5 * half_size_);
 }
 
 }  // namespace mdbd

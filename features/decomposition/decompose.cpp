@@ -112,12 +112,12 @@ class Search {
     if (!cell.is_current(space_)) {
       cell.tighten(space_, enough());
     } else if (!cell.is_measured()) {
-      cell.measure(space_);
+      cell.measure(space_, enough());
     } else if (!nodes_[index].has_climbed && is_promising(cell)) {
       nodes_[index].has_climbed = true;
       explore(index);
     } else if (cell.wants_probe()) {
-      const auto [point, value] = cell.probe(space_);
+      const auto [point, value] = cell.probe(space_, enough());
       if (value * space_.preference().factor(point) > best_rank()) climb(index, point);
     } else {
       cells_.pop();
@@ -196,10 +196,12 @@ class Search {
   void divide(std::uint32_t index) {
     const Node parent = nodes_[index];
     free_.push_back(index);
+    const OctantBounds bounds(parent.cell.witnesses(space_), parent.cell.center(),
+                              parent.cell.half_size());
     for (int octant = 0; octant < 8; ++octant) {
       const std::uint32_t child = add({parent.cell.child(octant), parent.candidate});
       if (set_aside(child)) continue;
-      nodes_[child].cell.tighten(space_, enough());
+      nodes_[child].cell.tighten(bounds.of_octant(octant, space_.preference()), enough());
       keep(child);
     }
   }

@@ -13,7 +13,6 @@ namespace mdbd {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int corners = 8;
 
 }  // namespace
 
@@ -66,37 +65,45 @@ AffineFunction FlatPiece::linearise(const Eigen::Vector3d& x) const {
   return {distance, (height * normal_ + dx * first_ + dy * second_) / distance};
 }
 
-// The distance is convex, and so is its difference from a linear function: both are largest at a
-// corner of the cube.
-MDBD_VECTORISED
-DistanceBound FlatPiece::bound_over_cube(const Eigen::Vector3d& x, double half_size,
-                                         const Eigen::Vector3d& slope) const {
-  const Eigen::Vector3d offset = x - origin_;
-  alignas(32) double rise[corners];
-  alignas(32) double px[corners];
-  alignas(32) double py[corners];
-  alignas(32) double squared_height[corners];
-  for (int i = 0; i < corners; ++i) {
-    const double ox = (i & 1) != 0 ? half_size : -half_size;
-    const double oy = (i & 2) != 0 ? half_size : -half_size;
-    const double oz = (i & 4) != 0 ? half_size : -half_size;
-    rise[i] = ox * slope[0] + oy * slope[1] + oz * slope[2];
-    const double cx = offset[0] + ox;
-    const double cy = offset[1] + oy;
-    const double cz = offset[2] + oz;
-    px[i] = cx * first_[0] + cy * first_[1] + cz * first_[2];
-    py[i] = cx * second_[0] + cy * second_[1] + cz * second_[2];
-    const double height = cx * normal_[0] + cy * normal_[1] + cz * normal_[2];
-    squared_height[i] = height * height;
+namespace {
+
+constexpr int lanes = 4;
+
+/// Points in the frame of a piece.
+template <int capacity>
+struct FramePoints {
+  alignas(32) double x[capacity];
+  alignas(32) double y[capacity];
+  alignas(32) double squared_height[capacity];
+};
+
+}  // namespace
+
+template <int side>
+[[gnu::always_inline]] inline void FlatPiece::measure_grid(const Eigen::Vector3d& lowest,
+                                                           double step, double* distances) const {
+  constexpr int nodes = side * side * side;
+  constexpr int end = (nodes + lanes - 1) / lanes * lanes;
+  const Eigen::Vector3d offset = lowest - origin_;
+  FramePoints<end> points;
+  for (int node = 0; node < end; ++node) {
+    const int clamped = std::min(node, nodes - 1);
+    const double x = offset[0] + step * (clamped % side);
+    const double y = offset[1] + step * (clamped / side % side);
+    const double z = offset[2] + step * (clamped / (side * side));
+    points.x[node] = x * first_[0] + y * first_[1] + z * first_[2];
+    points.y[node] = x * second_[0] + y * second_[1] + z * second_[2];
+    const double height = x * normal_[0] + y * normal_[1] + z * normal_[2];
+    points.squared_height[node] = height * height;
   }
-  alignas(32) double nearest[corners];
-  alignas(32) double innermost[corners];
-  std::fill_n(nearest, corners, infinity);
-  std::fill_n(innermost, corners, infinity);
+  alignas(32) double nearest[end];
+  alignas(32) double innermost[end];
+  std::fill_n(nearest, end, infinity);
+  std::fill_n(innermost, end, infinity);
   for (const Edge& edge : edges_) {
-    for (int i = 0; i < corners; ++i) {
-      const double rx = px[i] - edge.x;
-      const double ry = py[i] - edge.y;
+    for (int i = 0; i < end; ++i) {
+      const double rx = points.x[i] - edge.x;
+      const double ry = points.y[i] - edge.y;
       const double along = rx * edge.along_x + ry * edge.along_y;
       const double across = ry * edge.along_x - rx * edge.along_y;
       const double beyond = along - std::min(std::max(along, 0.0), edge.length);
@@ -104,18 +111,24 @@ DistanceBound FlatPiece::bound_over_cube(const Eigen::Vector3d& x, double half_s
       innermost[i] = std::min(innermost[i], across);
     }
   }
-  alignas(32) double distance[corners];
-  for (int i = 0; i < corners; ++i) {
+  alignas(32) double measured[end];
+  for (int i = 0; i < end; ++i) {
     const double lateral = innermost[i] >= 0.0 ? 0.0 : nearest[i];
-    distance[i] = std::sqrt(squared_height[i] + lateral);
+    measured[i] = std::sqrt(points.squared_height[i] + lateral);
   }
-  double largest = 0.0;
-  double constant = -infinity;
-  for (int i = 0; i < corners; ++i) {
-    largest = std::max(largest, distance[i]);
-    constant = std::max(constant, distance[i] - rise[i]);
-  }
-  return {largest, constant};
+  std::copy_n(measured, nodes, distances);
+}
+
+MDBD_VECTORISED
+void FlatPiece::measure_corners(const Eigen::Vector3d& lowest, double size,
+                                double* distances) const {
+  measure_grid<2>(lowest, size, distances);
+}
+
+MDBD_VECTORISED
+void FlatPiece::measure_octants(const Eigen::Vector3d& lowest, double step,
+                                double* distances) const {
+  measure_grid<3>(lowest, step, distances);
 }
 
 }  // namespace mdbd

@@ -9,14 +9,6 @@
 
 namespace mdbd {
 
-/// Upper bounds of a distance over a cube.
-struct DistanceBound {
-  double largest;  ///< of all values
-  /// With a given slope, of the lowest affine function of the offset from the centre that is
-  /// nowhere below the distance.
-  double constant;
-};
-
 /// A flat convex piece of the boundary, ready for distances: a frame in its plane, and its edges in
 /// that frame. Object units.
 class FlatPiece {
@@ -27,9 +19,12 @@ class FlatPiece {
   /// The distance of a point from the piece and its gradient, zero on the piece.
   AffineFunction linearise(const Eigen::Vector3d& x) const;
 
-  /// Bounds the distance over the axis-aligned cube around x.
-  DistanceBound bound_over_cube(const Eigen::Vector3d& x, double half_size,
-                                const Eigen::Vector3d& slope) const;
+  /// Measures the distances of the corners of an axis-aligned cube, x fastest: 8 values.
+  void measure_corners(const Eigen::Vector3d& lowest, double size, double* distances) const;
+
+  /// Measures the distances of the corners of the octants of a cube: a grid of 3 x 3 x 3 points,
+  /// `step` apart, x fastest.
+  void measure_octants(const Eigen::Vector3d& lowest, double step, double* distances) const;
 
  private:
   /// An edge in the frame; the inside is to its left.
@@ -40,6 +35,9 @@ class FlatPiece {
     double along_y;
     double length;
   };
+
+  template <int side>
+  void measure_grid(const Eigen::Vector3d& lowest, double step, double* distances) const;
 
   Eigen::Vector3d origin_;
   Eigen::Vector3d first_;   // unit vectors in the plane …

@@ -59,9 +59,10 @@ class Ascent {
   }
 
   void find_nearby_balls() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // A step changes no distance by more than its length, and none is longer than twice its size.
+    const double reach = radius_ + 4.0 * step_;
     std::array<std::uint32_t, nearby_balls> nearest;
-    nearby_count_ = space_.balls().find_nearest(x_, infinity, nearest);
+    nearby_count_ = space_.balls().find_nearest(x_, reach, nearest);
     for (std::size_t i = 0; i < nearby_count_; ++i) {
       nearby_[i] = space_.balls().witness(nearest[i]);
     }

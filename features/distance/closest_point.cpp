@@ -10,14 +10,11 @@
 namespace mdbd {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// A point in tree coordinates, and by how much distances from it may be off.
+/// A point in tree coordinates.
 struct LocalPoint {
   float x;
   float y;
   float z;
-  double margin;
 };
 
 struct StackEntry {
@@ -83,6 +80,52 @@ inline void triangle_distances(const TriangleBlock& block, const LocalPoint& p, 
   }
 }
 
+/// The triangles that may be closest, by their distances in single precision.
+class Candidates {
+ public:
+  /// @param margin by how much a distance may be off
+  Candidates(double bound, double margin)
+      : margin_(static_cast<float>(margin)), reach_(square(static_cast<float>(bound) + margin_)) {}
+
+  /// What is farther, squared, is not closest.
+  float reach() const { return reach_; }
+  bool is_full() const { return size_ == capacity; }
+
+  /// @pre not full
+  void offer(std::uint32_t triangle, float squared) {
+    if (squared > reach_) return;
+    candidates_[size_++] = {triangle, squared};
+    reach_ = std::min(reach_, square(std::sqrt(squared) + 2.0F * margin_));
+  }
+
+  /// Finds the closest of the candidates and forgets them.
+  void resolve(const TriangleTree& tree, const Eigen::Vector3d& point, ClosestPoint& best) {
+    for (int i = 0; i < size_; ++i) {
+      if (candidates_[i].squared > reach_) continue;
+      const std::uint32_t triangle = candidates_[i].triangle;
+      const Eigen::Vector3d candidate = closest_point(tree.triangles()[triangle], point);
+      const double squared = (candidate - point).squaredNorm();
+      if (squared < best.squared_distance) best = {candidate, squared, triangle};
+    }
+    size_ = 0;
+  }
+
+ private:
+  static constexpr int capacity = 64;
+
+  struct Candidate {
+    std::uint32_t triangle;
+    float squared;
+  };
+
+  static float square(float x) { return x * x * (1.0F + 1e-6F); }
+
+  float margin_;
+  float reach_;
+  int size_ = 0;
+  std::array<Candidate, capacity> candidates_;
+};
+
 }  // namespace
 
 MDBD_VECTORISED
@@ -90,21 +133,18 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
                                 double bound) {
   const Eigen::Vector3d local = (point - tree.origin()) * tree.inverse_extent();
   const LocalPoint p{static_cast<float>(local.x()), static_cast<float>(local.y()),
-                     static_cast<float>(local.z()), 1e-6 * (1.0 + local.lpNorm<Eigen::Infinity>())};
-  // What is farther than this, in single precision, is farther than a distance.
-  const auto reach_of = [&](double distance) {
-    const double reach = distance * tree.inverse_extent() * (1.0 + 1e-6) + p.margin;
-    return static_cast<float>(reach * reach);
-  };
+                     static_cast<float>(local.z())};
+  const double margin = 1e-6 * (1.0 + local.lpNorm<Eigen::Infinity>());
+  Candidates candidates(bound * tree.inverse_extent(), margin);
   const TreeNode* const nodes = tree.nodes().data();
   const TriangleBlock* const blocks = tree.blocks().data();
   ClosestPoint best{point, std::numeric_limits<double>::infinity(), 0};
-  float reach = reach_of(bound);
   std::array<StackEntry, TriangleTree::max_stack_size> stack;
   int size = 0;
   const auto push_children = [&](const TreeNode& node) {
     alignas(32) Lanes squared;
     box_distances(node, p, squared);
+    const float reach = candidates.reach();
     const int begin = size;
     for (int c = 0; c < TreeNode::width; ++c) {
       if (squared[c] > reach || node.count[c] == 0) continue;
@@ -115,31 +155,22 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
       stack[at] = {squared[c], node.inner[c], node.block[c], node.first[c], node.count[c]};
     }
   };
-  const auto try_triangle = [&](std::uint32_t triangle) {
-    const Eigen::Vector3d candidate = closest_point(tree.triangles()[triangle], point);
-    const double squared = (candidate - point).squaredNorm();
-    if (squared >= best.squared_distance) return;
-    best = {candidate, squared, triangle};
-    reach = std::min(reach, reach_of(std::sqrt(squared)));
-  };
   push_children(nodes[0]);
   while (size > 0) {
     const StackEntry entry = stack[--size];
-    if (entry.squared_distance > reach) continue;
+    if (entry.squared_distance > candidates.reach()) continue;
     if (entry.inner != 0) {
       push_children(nodes[entry.inner]);
       continue;
     }
     alignas(32) Lanes squared;
     triangle_distances(blocks[entry.block], p, squared);
-    const auto nearest =
-        static_cast<std::uint32_t>(std::min_element(squared, squared + entry.count) - squared);
-    if (squared[nearest] > reach) continue;
-    try_triangle(entry.first + nearest);
     for (std::uint32_t i = 0; i < entry.count; ++i) {
-      if (i != nearest && squared[i] <= reach) try_triangle(entry.first + i);
+      if (candidates.is_full()) candidates.resolve(tree, point, best);
+      candidates.offer(entry.first + i, squared[i]);
     }
   }
+  candidates.resolve(tree, point, best);
   return best;
 }
 

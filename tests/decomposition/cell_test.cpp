@@ -28,19 +28,19 @@ void check_bounds(const Field& field, const std::vector<Ball>& balls, double rea
         REQUIRE(value <= checked.bound() + 1e-12);
       }
     };
-    cell.measure(space);
+    cell.measure(space, 0.0);
     check(cell);
     while (cell.wants_probe()) {
-      const auto [point, value] = cell.probe(space);
+      const auto [point, value] = cell.probe(space, 0.0);
       CHECK(value == Approx(std::min(field.measure({.point = point}).distance,
                                      ball_distance(balls, point))));
       check(cell);
     }
     for (int octant = 0; octant < 8; ++octant) {
       Cell child = cell.child(octant);
-      child.tighten(space);
+      child.tighten(space, 0.0);
       check(child);
-      child.measure(space);
+      child.measure(space, 0.0);
       check(child);
     }
   }
@@ -63,8 +63,8 @@ TEST_CASE("the bound of a small cell on a plate is second order") {
   for (const double half_size : {0.03, 0.01, 0.003}) {
     RemainingSpace space(plate);
     Cell cell({0.2, 0.3, 0.5 * half_size}, half_size, 1.0);
-    cell.measure(space);
-    while (cell.wants_probe()) cell.probe(space);
+    cell.measure(space, 0.0);
+    while (cell.wants_probe()) cell.probe(space, 0.0);
     CHECK(cell.bound() >= thickness);
     CHECK(cell.bound() <= thickness + 2.0 * half_size * half_size / thickness);
   }
