@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include <Eigen/Geometry>
@@ -8,6 +9,25 @@ namespace mdbd {
 
 /// The corners of a triangle. Object units.
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
+
+inline Eigen::Vector3d closest_point_of_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                                const Eigen::Vector3d& point) {
+  const Eigen::Vector3d side = b - a;
+  const double squared_length = side.squaredNorm();
+  if (!(squared_length > 0)) return a;
+  return a + std::clamp((point - a).dot(side) / squared_length, 0.0, 1.0) * side;
+}
+
+/// The closest point of a triangle's edges.
+inline Eigen::Vector3d closest_point_of_edges(const TriangleCorners& corners,
+                                              const Eigen::Vector3d& point) {
+  Eigen::Vector3d closest = closest_point_of_segment(corners[2], corners[0], point);
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d other = closest_point_of_segment(corners[i], corners[i + 1], point);
+    if ((other - point).squaredNorm() < (closest - point).squaredNorm()) closest = other;
+  }
+  return closest;
+}
 
 /// The closest point of a triangle, by the Voronoi regions of its corners and edges (Ericson,
 /// Real-Time Collision Detection, section 5.1.5).
@@ -36,7 +56,11 @@ inline Eigen::Vector3d closest_point(const TriangleCorners& corners, const Eigen
     return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
   }
   const double sum = va + vb + vc;
-  if (!(sum > 0)) return a;  // no area left after rounding: the edges were tried above
+  // Rounding hides which side of a sliver is near, and even its plane.
+  constexpr double least_squared_sine = 1e-14;
+  if (!(sum > least_squared_sine * ab.squaredNorm() * ac.squaredNorm())) {
+    return closest_point_of_edges(corners, point);
+  }
   const double scale = 1.0 / sum;
   return a + (vb * scale) * ab + (vc * scale) * ac;
 }

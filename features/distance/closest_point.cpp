@@ -80,6 +80,15 @@ inline void triangle_distances(const TriangleBlock& block, const LocalPoint& p, 
   }
 }
 
+inline float smallest(const Lanes& values) {
+  alignas(32) float half[TreeNode::width / 2];
+  MDBD_LANES
+  for (int i = 0; i < TreeNode::width / 2; ++i) {
+    half[i] = std::min(values[i], values[i + TreeNode::width / 2]);
+  }
+  return std::min(std::min(half[0], half[1]), std::min(half[2], half[3]));
+}
+
 /// The triangles that may be closest, by their distances in single precision.
 class Candidates {
  public:
@@ -165,6 +174,7 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
     }
     alignas(32) Lanes squared;
     triangle_distances(blocks[entry.block], p, squared);
+    if (smallest(squared) > candidates.reach()) continue;
     for (std::uint32_t i = 0; i < entry.count; ++i) {
       if (candidates.is_full()) candidates.resolve(tree, point, best);
       candidates.offer(entry.first + i, squared[i]);

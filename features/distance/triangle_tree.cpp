@@ -224,7 +224,9 @@ std::uint32_t TriangleTree::add_block(const std::vector<Item>& items, const Rang
     const Eigen::Vector3d other = (corners[2] - corners[0]) * inverse_extent_;
     const Eigen::Vector3d along = side.normalized();
     const Eigen::Vector3d height = other - other.dot(along) * along;
-    const Eigen::Vector3d across = height.normalized();
+    // Of a triangle whose corners are on a line, but for rounding, the height has no direction.
+    const bool is_needle = height.norm() < 1e-8 * side.norm();
+    const Eigen::Vector3d across = is_needle ? along.unitOrthogonal() : height.normalized();
     for (int axis = 0; axis < 3; ++axis) {
       block.corner[axis][i] = static_cast<float>(corner[axis]);
       block.along[axis][i] = static_cast<float>(along[axis]);

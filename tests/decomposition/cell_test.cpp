@@ -2,8 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "features/distance/mesh_distance_field.h"
 #include "tests/support/analytic_fields.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/sample_meshes.h"
 
 using namespace mdbd;
 using namespace mdbd::test;
@@ -36,8 +38,11 @@ void check_bounds(const Field& field, const std::vector<Ball>& balls, double rea
                                      ball_distance(balls, point))));
       check(cell);
     }
+    const OctantBounds bounds(cell.witnesses(space), cell.center(), cell.half_size());
     for (int octant = 0; octant < 8; ++octant) {
       Cell child = cell.child(octant);
+      child.tighten(bounds.of_octant(octant, space.preference()), 0.0);
+      check(child);
       child.tighten(space, 0.0);
       check(child);
       child.measure(space, 0.0);
@@ -52,6 +57,12 @@ TEST_CASE("no point of a cell beats its bound") {
   SECTION("a box") { check_bounds(BoxField({1.0, 0.6, 0.1}), {}, 1.0); }
   SECTION("a ball") { check_bounds(UnitBallField(), {}, 1.0); }
   SECTION("a torus") { check_bounds(TorusField(1.0, 0.3), {}, 1.3); }
+  SECTION("a mesh with large faces") {
+    check_bounds(MeshDistanceField(make_cube(), true), {{{0.5, 0.5, 0.5}, 0.5}}, 1.0);
+  }
+  SECTION("a mesh with small faces") {
+    check_bounds(MeshDistanceField(make_torus(1.0, 0.3, 16, 8), true), {}, 1.3);
+  }
   SECTION("a box with balls in it") {
     check_bounds(BoxField({1.0, 1.0, 1.0}), {{{0, 0, 0}, 1.0}, {{0.8, 0.8, 0.8}, 0.15}}, 1.0);
   }

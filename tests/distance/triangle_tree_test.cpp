@@ -31,6 +31,15 @@ TriangleMesh needles(std::mt19937& random, std::uint32_t count) {
   return mesh;
 }
 
+// Triangles whose corners are on a line, but for rounding.
+TriangleMesh slivers(std::mt19937& random, std::uint32_t count) {
+  TriangleMesh mesh = random_soup(random, count, 0.5);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    mesh.vertices[3 * i + 2] = (mesh.vertices[3 * i] + mesh.vertices[3 * i + 1]) / 2.0;
+  }
+  return mesh;
+}
+
 void check_against_brute_force(const TriangleMesh& mesh, std::mt19937& random, double reach) {
   const TriangleTree tree(mesh);
   for (int i = 0; i < 300; ++i) {
@@ -56,6 +65,7 @@ TEST_CASE("closest points agree with brute force") {
     check_against_brute_force(random_soup(random, 200, 1.0), random, 1.5);
   }
   SECTION("needles") { check_against_brute_force(needles(random, 300), random, 1.5); }
+  SECTION("slivers") { check_against_brute_force(slivers(random, 300), random, 1.5); }
   SECTION("far away") { check_against_brute_force(random_soup(random, 300, 0.1), random, 1e6); }
   SECTION("one triangle") { check_against_brute_force(random_soup(random, 1, 1.0), random, 2.0); }
   SECTION("a torus") { check_against_brute_force(make_torus(1.0, 0.3, 40, 20), random, 1.5); }
