@@ -33,7 +33,7 @@ TriangleMesh revolve(const Function& profile_at, std::uint32_t around) {
   std::size_t across = 0;
   for (std::uint32_t i = 0; i < around; ++i) {
     const double angle = turn * i / around;
-    const std::vector<Eigen::Vector2d> profile = profile_at(angle);
+    const std::vector<Eigen::Vector2d>& profile = profile_at(angle);
     across = profile.size();
     for (const Eigen::Vector2d& point : profile) {
       mesh.vertices.emplace_back(point.x() * std::cos(angle), point.x() * std::sin(angle),
@@ -65,7 +65,8 @@ std::uint32_t corners_of_section(std::int64_t triangles) {
 TriangleMesh make_torus(std::int64_t triangles) {
   const std::uint32_t corners = corners_of_section(triangles);
   const auto section = make_ellipse({0.75, 0.0}, {0.25, 0.25}, corners);
-  return revolve([&](double) { return section; }, 2 * corners);
+  return revolve(
+      [&](double) -> const auto& { return section; }, 2 * corners);
 }
 
 TriangleMesh make_ring(std::int64_t triangles) {
@@ -80,7 +81,8 @@ TriangleMesh make_ring(std::int64_t triangles) {
 TriangleMesh make_pipe(std::int64_t triangles) {
   const std::vector<Eigen::Vector2d> wall = {
       Eigen::Vector2d(0.95, -1.0), {1.0, -1.0}, {1.0, 1.0}, {0.95, 1.0}};
-  return revolve([&](double) { return wall; }, static_cast<std::uint32_t>(triangles / 8));
+  return revolve(
+      [&](double) -> const auto& { return wall; }, static_cast<std::uint32_t>(triangles / 8));
 }
 
 TriangleMesh make_bracket() {

@@ -14,7 +14,7 @@ struct Image {
   std::vector<std::uint8_t> is_inside;
 
   std::size_t index(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * counts.y() + y) * counts.x() + x);
+    return (static_cast<std::size_t>(z) * counts.y() + y) * counts.x() + x;
   }
 };
 
