@@ -21,8 +21,9 @@ inline constexpr std::size_t method_count = method_names.size();
 struct MethodRun {
   double seconds = 0.0;  ///< of processor time, without reading and without the field
   std::uint64_t queries = 0;
-  std::uint64_t cells = 0;  ///< octree cells, or voxels of the grid
-  BallQuality quality;      ///< beside the balls of the first method
+  std::uint64_t cells = 0;        ///< octree cells, or voxels of the grid
+  std::uint64_t peak_memory = 0;  ///< bytes beyond mesh and field
+  BallQuality quality;            ///< beside the balls of the first method
 };
 
 /// All methods on one model, one after the other.

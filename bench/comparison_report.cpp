@@ -38,6 +38,7 @@ double sum(const std::vector<double>& values) {
 }
 
 std::string milliseconds(double seconds) { return fmt::format("{:.1f}", 1e3 * seconds); }
+std::string megabytes(double bytes) { return fmt::format("{:.1f}", 1e-6 * bytes); }
 std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 std::string count(double number) { return fmt::format("{:.0f}", number); }
 
@@ -73,17 +74,21 @@ Table time_table(Comparisons comparisons) {
 
 Table work_table(Comparisons comparisons) {
   Table table{.caption = "Work for one model, medians",
-              .columns = {"", "distance queries", "ns per query, all included", "cells or voxels"},
+              .columns = {"", "distance queries", "ns per query, all included", "cells or voxels",
+                          "memory, MB", "memory, worst, MB"},
               .rows = {},
               .is_summary = true};
   for (std::size_t method = 0; method < method_count; ++method) {
     const auto queries = collect(comparisons, method, [](const auto& run) { return run.queries; });
     const auto cells = collect(comparisons, method, [](const auto& run) { return run.cells; });
+    const auto memory =
+        collect(comparisons, method, [](const auto& run) { return run.peak_memory; });
     const auto nanoseconds = collect(comparisons, method, [](const MethodRun& run) {
       return 1e9 * run.seconds / static_cast<double>(std::max<std::uint64_t>(run.queries, 1));
     });
     table.rows.push_back({std::string(method_names[method]), count(median(queries)),
-                          count(median(nanoseconds)), count(median(cells))});
+                          count(median(nanoseconds)), count(median(cells)),
+                          megabytes(median(memory)), megabytes(std::ranges::max(memory))});
   }
   return table;
 }
@@ -104,12 +109,13 @@ Table quality_table(Comparisons comparisons) {
     };
     const std::vector<double> errors = of(&BallQuality::radius_error);
     const std::vector<double> violations = of(&BallQuality::order_violation);
-    table.rows.push_back(
-        {std::string(method_names[method]), fmt::format("{:.1f}", mean(of(&BallQuality::balls))),
-         percent(mean(errors)), percent(std::ranges::max(errors)), percent(median(violations)),
-         percent(std::ranges::max(violations)), percent(contacts_of(method) / contacts_of(0)),
-         fmt::format("{:.1e}", std::ranges::max(of(&BallQuality::escape))),
-         fmt::format("{:.1e}", std::ranges::max(of(&BallQuality::overlap)))});
+    table.rows.push_back({std::string(method_names[method]),
+                          fmt::format("{:.1f}", mean(of(&BallQuality::balls))),
+                          percent(mean(errors)), percent(std::ranges::max(errors)),
+                          percent(median(violations)), percent(std::ranges::max(violations)),
+                          percent(contacts_of(method) / std::max(contacts_of(0), 1.0)),
+                          fmt::format("{:.1e}", std::ranges::max(of(&BallQuality::escape))),
+                          fmt::format("{:.1e}", std::ranges::max(of(&BallQuality::overlap)))});
   }
   return table;
 }
@@ -135,6 +141,7 @@ nlohmann::ordered_json to_json(const MethodRun& run) {
   return {{"cpu_seconds", run.seconds},
           {"distance_queries", run.queries},
           {"cells", run.cells},
+          {"peak_memory_bytes", run.peak_memory},
           {"balls", run.quality.balls},
           {"contacts", run.quality.contacts},
           {"radius_error", run.quality.radius_error},

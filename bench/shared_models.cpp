@@ -18,7 +18,7 @@ fs::path folder_of(const char* variable) {
 }  // namespace
 
 fs::path shared_data_folder() {
-  if (const fs::path data = folder_of("MDBD_DATA"); !data.empty()) return data;
+  if (fs::path data = folder_of("MDBD_DATA"); !data.empty()) return data;
   if (const fs::path cache = folder_of("XDG_CACHE_HOME"); !cache.empty())
     return cache / "mdbd-data";
   return folder_of("HOME") / ".cache" / "mdbd-data";

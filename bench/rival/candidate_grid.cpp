@@ -78,8 +78,9 @@ void CandidateGrid::place(const Ball& ball, double largest) {
 // In units of voxels.
 void CandidateGrid::place_in_row(std::size_t number, const Eigen::Vector3d& center, double radius,
                                  double reach) {
+  const std::size_t slice = number / grid_.counts.y();
   const double y = static_cast<double>(number % grid_.counts.y()) - center.y();
-  const double z = static_cast<double>(number / grid_.counts.y()) - center.z();
+  const double z = static_cast<double>(slice) - center.z();
   const double from_axis = y * y + z * z;
   const double half = std::sqrt(std::max(0.0, reach * reach - from_axis));
   const auto [first, last] = clamp_range(center.x(), half, grid_.counts.x());

@@ -22,8 +22,9 @@ struct VoxelGrid {
   Eigen::Vector3d center(std::size_t index) const {
     const auto x = static_cast<double>(index % counts.x());
     const std::size_t row = index / counts.x();
+    const std::size_t slice = row / counts.y();
     const auto y = static_cast<double>(row % counts.y());
-    const auto z = static_cast<double>(row / counts.y());
+    const auto z = static_cast<double>(slice);
     return origin + voxel_size * Eigen::Vector3d(x, y, z);
   }
 };
