@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-
-#include "features/core/vectorised.h"
+#include <ranges>
 
 namespace mdbd {
 namespace {
 
-constexpr std::size_t block_size = BallSet::block_size;
 constexpr std::size_t max_wanted = 16;
-constexpr double rounding = 1.0 - 1e-12;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The nearest balls found so far, nearest first.
 class Ranking {
@@ -21,24 +16,25 @@ class Ranking {
   Ranking(std::span<std::uint32_t> balls, double limit)
       : balls_(balls.first(std::min(balls.size(), max_wanted))), limit_(limit) {}
 
-  /// What is farther is not wanted.
-  double limit() const { return limit_; }
   std::size_t size() const { return size_; }
 
   void offer(std::uint32_t ball, double gap) {
-    if (gap > limit_ || (is_full() && gap >= limit_)) return;
+    if (gap > limit_) return;
+    if (is_full() && !comes_before(ball, gap, size_ - 1)) return;
     std::size_t at = is_full() ? size_ - 1 : size_++;
-    for (; at > 0 && gaps_[at - 1] > gap; --at) {
+    for (; at > 0 && comes_before(ball, gap, at - 1); --at) {
       gaps_[at] = gaps_[at - 1];
       balls_[at] = balls_[at - 1];
     }
     gaps_[at] = gap;
     balls_[at] = ball;
-    if (is_full()) limit_ = gaps_[size_ - 1];
   }
 
  private:
   bool is_full() const { return size_ == balls_.size(); }
+  bool comes_before(std::uint32_t ball, double gap, std::size_t other) const {
+    return gap != gaps_[other] ? gap < gaps_[other] : ball < balls_[other];
+  }
 
   std::span<std::uint32_t> balls_;
   double limit_;
@@ -48,61 +44,72 @@ class Ranking {
 
 }  // namespace
 
-void BallSet::add(const Ball& ball) {
-  const std::size_t lane = size_ % block_size;
-  if (lane == 0) {
-    Block empty;
-    for (auto* values : {&empty.x, &empty.y, &empty.z}) std::ranges::fill(*values, infinity);
-    std::ranges::fill(empty.radius, 0.0);
-    blocks_.push_back(empty);
-  }
-  Block& block = blocks_.back();
-  block.x[lane] = ball.center.x();
-  block.y[lane] = ball.center.y();
-  block.z[lane] = ball.center.z();
-  block.radius[lane] = ball.radius;
-  ++size_;
+BallSet::BallSet(const Ball& domain)
+    : corner_(domain.center.array() - domain.radius),
+      part_size_(2.0 * domain.radius / parts),
+      lists_(static_cast<std::size_t>(parts) * parts * parts) {}
+
+int BallSet::part_along(int axis, double coordinate) const {
+  const double part = (coordinate - corner_[axis]) / part_size_;
+  return static_cast<int>(std::clamp(part, 0.0, parts - 1.0));
 }
 
-MDBD_VECTORISED
+std::span<const std::uint32_t> BallSet::balls_around(const Eigen::Vector3d& point) const {
+  const int part = part_along(0, point[0]) +
+                   parts * (part_along(1, point[1]) + parts * part_along(2, point[2]));
+  return lists_[part];
+}
+
+void BallSet::add(const Ball& ball, double reach) {
+  constexpr double rounding = 1.0 + 1e-9;
+  const auto number = static_cast<std::uint32_t>(balls_.size());
+  balls_.push_back(ball);
+  const double influence = (ball.radius + reach) * rounding;
+  std::array<int, 3> first;
+  std::array<int, 3> last;
+  for (int axis = 0; axis < 3; ++axis) {
+    first[axis] = part_along(axis, ball.center[axis] - influence);
+    last[axis] = part_along(axis, ball.center[axis] + influence);
+  }
+  for (int z = first[2]; z <= last[2]; ++z) {
+    for (int y = first[1]; y <= last[1]; ++y) {
+      for (int x = first[0]; x <= last[0]; ++x) {
+        lists_[x + parts * (y + parts * z)].push_back(number);
+      }
+    }
+  }
+}
+
 std::size_t BallSet::update_nearest(const Eigen::Vector3d& point, double limit, std::size_t first,
                                     std::span<std::uint32_t> nearest, std::size_t known) const {
   std::array<std::uint32_t, max_wanted> old{};
   std::copy_n(nearest.begin(), known, old.begin());
   Ranking ranking(nearest, limit);
-  for (std::size_t i = 0; i < known; ++i) ranking.offer(old[i], witness(old[i]).value(point));
-  const double x = point.x();
-  const double y = point.y();
-  const double z = point.z();
-  for (std::size_t b = first / block_size; b < blocks_.size(); ++b) {
-    const Block& block = blocks_[b];
-    alignas(32) double squared[block_size];
-    alignas(32) double excess[block_size];  // how far a ball is beyond the limit, in squares
-    for (std::size_t i = 0; i < block_size; ++i) {
-      const double dx = block.x[i] - x;
-      const double dy = block.y[i] - y;
-      const double dz = block.z[i] - z;
-      squared[i] = dx * dx + dy * dy + dz * dz;
-      const double reach = block.radius[i] + ranking.limit();
-      excess[i] = rounding * squared[i] - reach * reach;
-    }
-    for (std::size_t half = block_size / 2; half >= 1; half /= 2) {
-      for (std::size_t i = 0; i < half; ++i) excess[i] = std::min(excess[i], excess[i + half]);
-    }
-    if (excess[0] > 0) continue;
-    const std::size_t begin = b * block_size;
-    const std::size_t end = std::min(begin + block_size, size_);
-    for (std::size_t i = std::max(begin, first); i < end; ++i) {
-      ranking.offer(static_cast<std::uint32_t>(i),
-                    std::sqrt(squared[i - begin]) - block.radius[i - begin]);
-    }
+  const auto offer = [&](std::uint32_t ball) {
+    ranking.offer(ball, (point - balls_[ball].center).norm() - balls_[ball].radius);
+  };
+  std::for_each_n(old.begin(), known, offer);
+  for (const std::uint32_t ball : std::views::reverse(balls_around(point))) {
+    if (ball < first) break;
+    offer(ball);
   }
   return ranking.size();
 }
 
-double BallSet::gap(const Eigen::Vector3d& point, double limit) const {
-  std::array<std::uint32_t, 1> nearest;
-  return find_nearest(point, limit, nearest) > 0 ? witness(nearest[0]).value(point) : limit;
+bool BallSet::has_near(const Eigen::Vector3d& point, double limit, std::size_t first) const {
+  for (const std::uint32_t ball : std::views::reverse(balls_around(point))) {
+    if (ball < first) break;
+    const double reach = limit + balls_[ball].radius;
+    if ((point - balls_[ball].center).squaredNorm() <= reach * reach) return true;
+  }
+  return false;
+}
+
+bool BallSet::is_clear(const Ball& ball, std::size_t first) const {
+  return std::all_of(balls_.begin() + static_cast<std::ptrdiff_t>(first), balls_.end(),
+                     [&](const Ball& other) {
+                       return (ball.center - other.center).norm() - other.radius >= ball.radius;
+                     });
 }
 
 }  // namespace mdbd

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,19 +10,21 @@
 
 namespace mdbd {
 
-/// The balls placed so far, laid out for fast scans. They are numbered in order of placement.
+/// The balls placed so far, numbered in order of placement, with lists of those that matter in each
+/// part of space. A ball matters where its surface is nearer than its reach, that is, where it may
+/// limit a later ball; elsewhere it may be missing from the answers. Object units.
 class BallSet {
  public:
-  static constexpr std::size_t block_size = 16;
+  /// @param domain a ball that encloses all points that are asked for; what lies outside belongs to
+  ///        the nearest part of space
+  explicit BallSet(const Ball& domain);
 
-  std::size_t size() const { return size_; }
-  void add(const Ball& ball);
+  std::size_t size() const { return balls_.size(); }
 
-  Witness witness(std::uint32_t ball) const {
-    const Block& block = blocks_[ball / block_size];
-    const std::size_t lane = ball % block_size;
-    return {{block.x[lane], block.y[lane], block.z[lane]}, block.radius[lane]};
-  }
+  /// @param reach no later ball is larger than this
+  void add(const Ball& ball, double reach);
+
+  Witness witness(std::uint32_t ball) const { return {balls_[ball].center, balls_[ball].radius}; }
 
   /// Finds the balls whose surface is nearest to a point and not farther than `limit`: nearest
   /// first, ties in order of placement.
@@ -39,20 +40,23 @@ class BallSet {
   std::size_t update_nearest(const Eigen::Vector3d& point, double limit, std::size_t first,
                              std::span<std::uint32_t> nearest, std::size_t known) const;
 
-  /// The distance to the nearest ball's surface, negative inside it; `limit` if that is less.
-  double gap(const Eigen::Vector3d& point, double limit) const;
+  /// Whether the surface of any ball from number `first` on is not farther than `limit`.
+  bool has_near(const Eigen::Vector3d& point, double limit, std::size_t first) const;
+
+  /// Whether a ball overlaps none of those from number `first` on, whatever their reach.
+  bool is_clear(const Ball& ball, std::size_t first) const;
 
  private:
-  /// Balls side by side; filled up with balls infinitely far away.
-  struct Block {
-    std::array<double, block_size> x;
-    std::array<double, block_size> y;
-    std::array<double, block_size> z;
-    std::array<double, block_size> radius;
-  };
+  static constexpr int parts = 32;  // of the domain, along each axis
 
-  std::size_t size_ = 0;
-  std::vector<Block> blocks_;
+  int part_along(int axis, double coordinate) const;
+  /// The balls that matter in the part of space around a point, in order of placement.
+  std::span<const std::uint32_t> balls_around(const Eigen::Vector3d& point) const;
+
+  Eigen::Vector3d corner_;
+  double part_size_;
+  std::vector<Ball> balls_;
+  std::vector<std::vector<std::uint32_t>> lists_;  // of all parts, x fastest
 };
 
 }  // namespace mdbd

@@ -84,11 +84,15 @@ void Cell::solve(const RemainingSpace& space, double enough) {
 
 bool Cell::find_nearby_balls(const RemainingSpace& space) {
   const BallSet& balls = space.balls();
-  if (balls_seen_ == balls.size()) return false;
+  const double limit = bound_ + half_diagonal();
+  if (!balls.has_near(center_, limit, balls_seen_)) {
+    balls_seen_ = static_cast<std::uint32_t>(balls.size());
+    return false;
+  }
   const auto old = nearby_;
   const std::uint8_t old_count = nearby_count_;
   nearby_count_ = static_cast<std::uint8_t>(
-      balls.update_nearest(center_, bound_ + half_diagonal(), balls_seen_, nearby_, nearby_count_));
+      balls.update_nearest(center_, limit, balls_seen_, nearby_, nearby_count_));
   balls_seen_ = static_cast<std::uint32_t>(balls.size());
   if (nearby_count_ > 0) value_ = std::min(value_, balls.witness(nearby_[0]).value(center_));
   return nearby_count_ != old_count ||

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace mdbd {
@@ -19,6 +21,12 @@ class CellQueue {
   std::size_t size() const { return heap_.size(); }
   /// @pre not empty
   const Entry& top() const { return heap_.front(); }
+
+  /// The entries of which one is at the top after the top is gone.
+  std::span<const Entry> next() const {
+    return std::span(heap_).subspan(std::min<std::size_t>(1, heap_.size())).first(
+        std::min(arity, heap_.empty() ? 0 : heap_.size() - 1));
+  }
 
   void push(const Entry& entry) {
     std::size_t at = heap_.size();

@@ -1,7 +1,6 @@
 #include "features/decomposition/decompose.h"
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <set>
 #include <span>
@@ -53,6 +52,39 @@ struct Candidate {
   std::vector<std::uint32_t> parked;  // cells in which nothing ranks higher
 };
 
+// Nodes by number, in blocks that are never moved.
+class NodePool {
+ public:
+  Node& operator[](std::uint32_t index) { return blocks_[index / block_size][index % block_size]; }
+
+  std::uint32_t add(const Node& node) {
+    if (!free_.empty()) {
+      const std::uint32_t index = free_.back();
+      free_.pop_back();
+      (*this)[index] = node;
+      return index;
+    }
+    if (blocks_.empty() || blocks_.back().size() == block_size) {
+      blocks_.emplace_back().reserve(block_size);
+    }
+    blocks_.back().push_back(node);
+    return static_cast<std::uint32_t>((blocks_.size() - 1) * block_size + blocks_.back().size() - 1);
+  }
+
+  void remove(std::uint32_t index) { free_.push_back(index); }
+
+  void prefetch(std::uint32_t index) {
+    const auto* bytes = reinterpret_cast<const char*>(&(*this)[index]);
+    for (std::size_t offset = 0; offset < sizeof(Node); offset += 64) __builtin_prefetch(bytes + offset);
+  }
+
+ private:
+  static constexpr std::uint32_t block_size = 1024;
+
+  std::vector<std::vector<Node>> blocks_;
+  std::vector<std::uint32_t> free_;
+};
+
 // Branch and bound over an octree, one heap for the whole run. The top of the heap bounds the rank
 // of every ball still possible; bounds only fall as balls are placed, so they are brought up to
 // date when a cell reaches the top.
@@ -71,7 +103,7 @@ class Search {
     const Ball ball = candidates_[chosen].maximum.ball;
     result.balls.push_back(ball);
     result.upper_bounds.push_back(std::max(bound, ball.radius));
-    space_.place(ball);
+    space_.place(ball, result.upper_bounds.back());
     return true;
   }
 
@@ -129,6 +161,7 @@ class Search {
     } else {
       cells_.lower_top(cell.bound());
     }
+    for (const CellQueue::Entry& entry : cells_.next()) nodes_.prefetch(entry.cell);
   }
 
   // A cell with a lower bound does not matter for the next ball.
@@ -161,7 +194,7 @@ class Search {
     node.candidate = find_candidate(maximum);
     if (node.candidate != none) return;
     node.candidate = static_cast<std::uint32_t>(candidates_.size());
-    candidates_.push_back({maximum, space_.balls().size(), {}});
+    candidates_.push_back({maximum, 0, {}});
     ranking_.insert({maximum.rank, node.candidate});
   }
 
@@ -195,7 +228,7 @@ class Search {
 
   void divide(std::uint32_t index) {
     const Node parent = nodes_[index];
-    free_.push_back(index);
+    nodes_.remove(index);
     const OctantBounds bounds(parent.cell.witnesses(space_), parent.cell.center(),
                               parent.cell.half_size());
     for (int octant = 0; octant < 8; ++octant) {
@@ -208,16 +241,7 @@ class Search {
 
   std::uint32_t add(const Node& node) {
     ++cell_count_;
-    std::uint32_t index;
-    if (free_.empty()) {
-      index = static_cast<std::uint32_t>(nodes_.size());
-      nodes_.push_back(node);
-    } else {
-      index = free_.back();
-      free_.pop_back();
-      nodes_[index] = node;
-    }
-    return index;
+    return nodes_.add(node);
   }
 
   // Puts a cell into the queue, unless it can be set aside.
@@ -230,7 +254,7 @@ class Search {
   bool set_aside(std::uint32_t index) {
     const Node& node = nodes_[index];
     if (node.cell.bound() <= minimum_radius()) {
-      free_.push_back(index);
+      nodes_.remove(index);
     } else if (is_resolved(node)) {
       candidates_[node.candidate].parked.push_back(index);
     } else {
@@ -249,8 +273,7 @@ class Search {
     Candidate& candidate = candidates_[index];
     if (candidate.balls_seen == overlapped) return false;
     if (candidate.balls_seen == space_.balls().size()) return true;
-    const Ball& ball = candidate.maximum.ball;
-    const bool is_clear = space_.balls().gap(ball.center, ball.radius) >= ball.radius;
+    const bool is_clear = space_.balls().is_clear(candidate.maximum.ball, candidate.balls_seen);
     candidate.balls_seen = is_clear ? space_.balls().size() : overlapped;
     return is_clear;
   }
@@ -289,8 +312,7 @@ class Search {
   DecompositionOptions options_;
   RemainingSpace& space_;
   double scale_;
-  std::deque<Node> nodes_;           // never moved, so that growing needs no second copy
-  std::vector<std::uint32_t> free_;  // nodes to be used again
+  NodePool nodes_;
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
   CellQueue cells_;

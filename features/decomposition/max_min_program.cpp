@@ -30,34 +30,39 @@ MDBD_PART_OF_CALLER void for_each_row(int padded_count, Visitor&& visit) {
   }
 }
 
-// Maximise t with t <= f_i(s). In u = s + half_size (so 0 <= u <= size) and slacks
-// z_i = f_i(u) - t >= 0. Variables 0, 1, 2 are u, variable 3 + i is z_i. Each basic variable and t
-// are affine in the nonbasic ones, which are all zero: a variable at its upper bound is replaced by
-// its complement ("flipped"). The tableau is stored by columns; rows beyond the last are zero.
+// Maximise t with t <= f_i(s). In u, measured along the axes from the corner of the box where the
+// function that allows the least is largest (so 0 <= u <= size), with slacks z_i = f_i(u) - t >= 0.
+// Variables 0, 1, 2 are u, variable 3 + i is z_i. Each basic variable and t are affine in the
+// nonbasic ones, which are all zero: a variable at its upper bound is replaced by its complement
+// ("flipped"). The tableau is stored by columns; rows beyond the last are zero.
 class Simplex {
  public:
   MDBD_PART_OF_CALLER Simplex(std::span<const AffineFunction> functions, double half_size)
       : size_(2 * half_size), half_size_(half_size) {
+    choose_corner(functions);
     const auto count = static_cast<int>(functions.size());
     std::array<double, max_rows> at_corner;
     int lowest = 0;
     for (int i = 0; i < count; ++i) {
-      const AffineFunction& f = functions[i];
-      at_corner[i] = f.offset - half_size * (f.slope[0] + f.slope[1] + f.slope[2]);
+      const Eigen::Vector3d& slope = functions[i].slope;
+      at_corner[i] = functions[i].offset - half_size * (direction_[0] * slope[0] +
+                                                        direction_[1] * slope[1] +
+                                                        direction_[2] * slope[2]);
       if (at_corner[i] < at_corner[lowest]) lowest = i;
     }
     // t = f_lowest - z_lowest is substituted everywhere.
     const AffineFunction& base = functions[lowest];
     nonbasic_ = {0, 1, 2, 3 + lowest};
     objective_constant_ = at_corner[lowest];
-    objective_ = {base.slope[0], base.slope[1], base.slope[2], -1.0};
+    for (int c = 0; c < 3; ++c) objective_[c] = direction_[c] * base.slope[c];
+    objective_[3] = -1.0;
     for (int i = 0; i < count; ++i) {
       if (i == lowest) continue;
       basic_[row_count_] = 3 + i;
       upper_bound_[row_count_] = infinity;
       constants_[row_count_] = std::max(0.0, at_corner[i] - at_corner[lowest]);
       for (int c = 0; c < 3; ++c) {
-        coefficients_[c][row_count_] = functions[i].slope[c] - base.slope[c];
+        coefficients_[c][row_count_] = direction_[c] * (functions[i].slope[c] - base.slope[c]);
       }
       coefficients_[3][row_count_] = 1.0;
       ++row_count_;
@@ -92,10 +97,22 @@ class Simplex {
  private:
   using Column = std::array<double, max_rows>;
 
+  MDBD_PART_OF_CALLER void choose_corner(std::span<const AffineFunction> functions) {
+    double least = infinity;
+    for (const AffineFunction& f : functions) {
+      const double largest =
+          f.offset + half_size_ * (std::abs(f.slope[0]) + std::abs(f.slope[1]) + std::abs(f.slope[2]));
+      if (largest >= least) continue;
+      least = largest;
+      for (int c = 0; c < 3; ++c) direction_[c] = f.slope[c] > 0 ? -1.0 : 1.0;
+    }
+  }
+
   MDBD_PART_OF_CALLER void set_coordinate(int variable, double value,
                                           Eigen::Vector3d& point) const {
     if (variable >= 3) return;
-    point[variable] = (flipped_[variable] ? size_ - value : value) - half_size_;
+    const double along = (flipped_[variable] ? size_ - value : value) - half_size_;
+    point[variable] = direction_[variable] * along;
   }
 
   MDBD_PART_OF_CALLER int choose_entering() const {
@@ -191,6 +208,7 @@ class Simplex {
   alignas(32) Column upper_bound_;
   std::array<int, max_rows> basic_;
   std::array<int, columns> nonbasic_;
+  std::array<double, 3> direction_{1.0, 1.0, 1.0};  // of u, along each axis
   std::array<bool, 3> flipped_{};
   double objective_constant_ = 0.0;
   std::array<double, columns> objective_;

@@ -16,7 +16,9 @@ namespace mdbd {
 class RemainingSpace {
  public:
   explicit RemainingSpace(const DistanceField& field)
-      : field_(field), preference_(Preference::outward(field.enclosing_ball())) {}
+      : field_(field),
+        preference_(Preference::outward(field.enclosing_ball())),
+        balls_(field.enclosing_ball()) {}
 
   /// Measures the solid alone.
   DistanceSample measure_solid(const DistanceQuery& query) {
@@ -38,7 +40,8 @@ class RemainingSpace {
   void prefer(const Preference& preference) { preference_ = preference; }
   bool is_closed() const { return field_.is_closed(); }
   const BallSet& balls() const { return balls_; }
-  void place(const Ball& ball) { balls_.add(ball); }
+  /// @param bound no ball that is placed later is larger
+  void place(const Ball& ball, double bound) { balls_.add(ball, bound); }
   std::uint64_t query_count() const { return query_count_; }
 
  private:

@@ -17,7 +17,7 @@ namespace {
 template <typename Field>
 void check_bounds(const Field& field, const std::vector<Ball>& balls, double reach) {
   RemainingSpace space(field);
-  for (const Ball& ball : balls) space.place(ball);
+  for (const Ball& ball : balls) space.place(ball, 1.0);
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
     const double half_size = 0.4 / (1 << round % 6);

@@ -26,7 +26,7 @@ TEST_CASE("the second ball of a cube touches three faces and the first ball") {
   for (int i = 0; i < 50; ++i) {
     const BoxField cube({1.0, 1.0, 1.0});
     RemainingSpace remaining(cube);
-    remaining.place({{0, 0, 0}, 1.0});
+    remaining.place({{0, 0, 0}, 1.0}, 1.0);
     const Eigen::Vector3d start = Eigen::Vector3d::Constant(0.8) + random_point(random, 0.1);
     const LocalMaximum maximum = find_local_maximum(remaining, start, 0.05, 1e-13);
     CHECK(maximum.ball.radius == Approx(radius).epsilon(1e-10));
@@ -47,7 +47,7 @@ TEST_CASE("no centre in the basin admits a larger ball") {
   for (int round = 0; round < 20; ++round) {
     RemainingSpace space(box);
     const std::vector<Ball> balls{{{0.2, 0.1, 0.0}, 0.6}};
-    space.place(balls[0]);
+    space.place(balls[0], 0.6);
     const Eigen::Vector3d start(0.9, 0.7, 0.5);
     const LocalMaximum maximum = find_local_maximum(space, start, 0.05, 1e-13);
     for (int i = 0; i < 200; ++i) {
