@@ -10,6 +10,8 @@ std::string_view to_string(Termination termination) {
       return "minimum radius reached";
     case Termination::empty_interior:
       return "empty interior";
+    case Termination::cell_limit:
+      return "no room for more cells";
   }
   return "unknown";
 }

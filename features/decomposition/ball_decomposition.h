@@ -12,7 +12,8 @@ namespace mdbd {
 enum class Termination {
   ball_count,      ///< the number of balls asked for was placed
   minimum_radius,  ///< every ball still possible is smaller than the minimum radius
-  empty_interior   ///< no ball at all: the boundary encloses nothing of the minimum radius
+  empty_interior,  ///< no ball at all: the boundary encloses nothing of the minimum radius
+  cell_limit       ///< the search had no room for more cells, and found no further ball
 };
 
 std::string_view to_string(Termination termination);
@@ -28,7 +29,9 @@ struct BallDecomposition {
   std::vector<Ball> balls;
   /// upper_bounds[i]: when ball i was placed, no ball larger than this fitted. Same size as balls.
   std::vector<double> upper_bounds;
-  /// Whether the upper bounds are proved. Where the boundary has holes they are only estimates.
+  /// Whether every ball is proved to be within the radius tolerance of the largest possible. Where
+  /// the boundary has holes the upper bounds are only estimates; where the search had no room for
+  /// more cells they are true, but may be beyond the tolerance.
   bool is_certified = true;
   double scale = 0.0;  ///< R, the radius of the smallest ball that encloses the boundary
   Termination termination = Termination::ball_count;

@@ -73,6 +73,12 @@ class NodePool {
 
   void remove(std::uint32_t index) { free_.push_back(index); }
 
+  /// How many are in use.
+  std::size_t size() const {
+    if (blocks_.empty()) return 0;
+    return (blocks_.size() - 1) * block_size + blocks_.back().size() - free_.size();
+  }
+
   void prefetch(std::uint32_t index) {
     const auto* bytes = reinterpret_cast<const char*>(&(*this)[index]);
     for (std::size_t offset = 0; offset < sizeof(Node); offset += 64) __builtin_prefetch(bytes + offset);
@@ -109,6 +115,9 @@ class Search {
 
   std::uint64_t cell_count() const { return cell_count_; }
 
+  // Whether cells were given up for want of room.
+  bool has_given_up() const { return !given_up_.is_empty(); }
+
  private:
   double minimum_radius() const { return options_.minimum_radius * scale_; }
 
@@ -123,6 +132,10 @@ class Search {
       if (bound <= enough()) break;
       const bool is_choice = bound <= best * (1.0 + options_.radius_tolerance);
       if (is_choice && left == 0) return bound;
+      if (is_full() && is_exhausted(cells_.top().cell)) {
+        give_up_top();
+        continue;
+      }
       const std::uint64_t before = work();
       refine_top();
       if (is_choice) {
@@ -131,11 +144,44 @@ class Search {
         choice_left_ -= spent;
       }
     }
-    return best_rank() * (1.0 + contact_accuracy);
+    if (given_up_.is_empty()) return best_rank() * (1.0 + contact_accuracy);
+    climb_from_given_up();
+    return std::max(best_rank() * (1.0 + contact_accuracy), given_up_bound_);
   }
 
   // What has been done so far, in about the time of a distance query.
   std::uint64_t work() const { return space_.query_count() + cell_count_; }
+
+  bool is_full() const { return nodes_.size() + 8 > options_.most_cells; }
+
+  // Whether nothing is left to do with a cell but to divide it.
+  bool is_exhausted(std::uint32_t index) {
+    const Node& node = nodes_[index];
+    return node.cell.is_current(space_) && node.cell.is_measured() && !node.cell.wants_probe() &&
+           (node.has_climbed || !is_promising(node.cell));
+  }
+
+  // For want of room the top is not divided: it only serves to climb from its centre.
+  void give_up_top() {
+    const std::uint32_t index = cells_.top().cell;
+    given_up_bound_ = std::max(given_up_bound_, cells_.top().bound);
+    given_up_.push({rank_at_center(nodes_[index].cell), index});
+    cells_.pop();
+  }
+
+  // Climbs from the centres of cells that were given up, as long as one is better than the best
+  // candidate.
+  void climb_from_given_up() {
+    while (!given_up_.is_empty() && given_up_.top().bound > best_rank()) {
+      const std::uint32_t index = given_up_.top().cell;
+      Cell& cell = nodes_[index].cell;
+      cell.tighten(space_, enough());
+      if (rank_at_center(cell) > best_rank()) climb(index, cell.center());
+      given_up_.pop();
+      if (cell.bound() <= minimum_radius()) continue;
+      given_up_.push({std::min(rank_at_center(cell), best_rank()), index});
+    }
+  }
 
   // Does the cheapest thing that may lower the bound of the cell at the top.
   void refine_top() {
@@ -316,6 +362,8 @@ class Search {
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
   CellQueue cells_;
+  CellQueue given_up_;  // by the ranks at their centres
+  double given_up_bound_ = 0.0;
   std::vector<Candidate> candidates_;
   std::set<Entry> ranking_;  // of the candidates
 };
@@ -336,15 +384,17 @@ class Run {
       space_.prefer(Preference::opposite(enclosing_, result_.balls.back()));
       search([] { return false; });
     }
-    if (!is_complete()) {
-      result_.termination =
-          result_.balls.empty() ? Termination::empty_interior : Termination::minimum_radius;
-    }
+    if (!is_complete()) result_.termination = reason();
     result_.cost.distance_queries = space_.query_count();
     return std::move(result_);
   }
 
  private:
+  Termination reason() const {
+    if (is_out_of_room_) return Termination::cell_limit;
+    return result_.balls.empty() ? Termination::empty_interior : Termination::minimum_radius;
+  }
+
   bool is_complete() const {
     return result_.balls.size() == static_cast<std::size_t>(options_.balls);
   }
@@ -364,12 +414,15 @@ class Run {
       goes_on = has_more && !is_complete() && !is_enough();
     }
     result_.cost.cells += search.cell_count();
+    if (search.has_given_up()) result_.is_certified = false;
+    is_out_of_room_ = !has_more && search.has_given_up();
     return has_more && !is_complete();
   }
 
   DecompositionOptions options_;
   Ball enclosing_;
   RemainingSpace space_;
+  bool is_out_of_room_ = false;
   BallDecomposition result_;
 };
 
@@ -379,6 +432,7 @@ BallDecomposition decompose(const DistanceField& field, const DecompositionOptio
   if (options.balls < 1) throw InvalidInput("the number of balls must be at least 1");
   if (!(options.radius_tolerance > 0)) throw InvalidInput("the radius tolerance must be above 0");
   if (!(options.minimum_radius > 0)) throw InvalidInput("the minimum radius must be above 0");
+  if (options.most_cells < 1000) throw InvalidInput("the number of cells must be at least 1000");
   return Run(field, options).run();
 }
 

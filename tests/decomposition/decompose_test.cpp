@@ -68,7 +68,7 @@ void check_promises(const TriangleMesh& mesh, const BallDecomposition& result, d
     CHECK(ball.radius <= ball_distance(earlier, ball.center) + slack);
     CHECK(result.upper_bounds[i] <= ball.radius * (1 + tolerance));
     for (const auto& [point, value] : samples) {
-      REQUIRE(std::min(value, ball_distance(earlier, point)) <= ball.radius * (1 + tolerance));
+      REQUIRE(std::min(value, ball_distance(earlier, point)) <= result.upper_bounds[i] + slack);
     }
   }
 }
@@ -236,10 +236,29 @@ TEST_CASE("no ball is smaller than the minimum radius") {
   CHECK(result.balls.back().radius > 0.1 * result.scale);
 }
 
+TEST_CASE("memory is bounded, and what could not be proved for it is said") {
+  // A shell of thickness 0.04 around the unit ball would take far more cells.
+  TriangleMesh shell = make_sphere(1.0, 24);
+  TriangleMesh cavity = make_sphere(0.96, 24);
+  const auto first = static_cast<std::uint32_t>(shell.vertices.size());
+  shell.vertices.insert(shell.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+  for (const auto& [a, b, c] : cavity.triangles) {
+    shell.triangles.push_back({c + first, b + first, a + first});
+  }
+  const BallDecomposition result =
+      decompose(MeshDistanceField(shell, true), {.balls = 30, .most_cells = 4000});
+  CHECK(result.balls.size() == 30);
+  CHECK_FALSE(result.is_certified);
+  check_promises(shell, result, 5.0);
+  CHECK(decompose(MeshDistanceField(make_cube(), true), {.balls = 33, .most_cells = 4000})
+            .is_certified);
+}
+
 TEST_CASE("options out of range are refused") {
   const UnitBallField field;
   CHECK_THROWS_AS(decompose(field, {.balls = 0}), InvalidInput);
   CHECK_THROWS_AS(decompose(field, {.radius_tolerance = 0.0}), InvalidInput);
   CHECK_THROWS_AS(decompose(field, {.minimum_radius = -1.0}), InvalidInput);
+  CHECK_THROWS_AS(decompose(field, {.most_cells = 0}), InvalidInput);
   CHECK_THROWS_AS(decompose(field, {.radius_tolerance = std::nan("")}), InvalidInput);
 }

@@ -44,6 +44,34 @@ inline TriangleMesh make_torus(double major, double minor, std::uint32_t around,
   return mesh;
 }
 
+/// A sphere around the origin, outward: a cube's sides of `across` squares each, pushed outward.
+inline TriangleMesh make_sphere(double radius, std::uint32_t across) {
+  TriangleMesh mesh;
+  for (int side = 0; side < 6; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t i = 0; i <= across; ++i) {
+      for (std::uint32_t j = 0; j <= across; ++j) {
+        Eigen::Vector3d point;
+        point[axis] = sign;
+        point[(axis + 1) % 3] = sign * std::tan(std::numbers::pi / 4 * (2.0 * i / across - 1));
+        point[(axis + 2) % 3] = std::tan(std::numbers::pi / 4 * (2.0 * j / across - 1));
+        mesh.vertices.push_back(radius * point.normalized());
+      }
+    }
+    for (std::uint32_t i = 0; i < across; ++i) {
+      for (std::uint32_t j = 0; j < across; ++j) {
+        const std::uint32_t a = first + i * (across + 1) + j;
+        const std::uint32_t b = a + across + 1;
+        mesh.triangles.push_back({a, b, b + 1});
+        mesh.triangles.push_back({a, b + 1, a + 1});
+      }
+    }
+  }
+  return mesh;
+}
+
 /// Six times the signed volume, positive if the triangles face outward.
 inline double six_volumes(const TriangleMesh& mesh) {
   double sum = 0.0;
