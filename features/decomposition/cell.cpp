@@ -127,7 +127,7 @@ void Cell::measure(RemainingSpace& space, double enough) {
   } else {
     add_witness(witnesses_[0]);
   }
-  witnesses_[0] = space.witness_of(sample);
+  witnesses_[0] = space.simple_witness_of(sample);
   solve(space, enough);
 }
 
@@ -139,7 +139,7 @@ std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space, double eno
   const DistanceSample sample = space.measure_solid(query);
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
-                                  : space.witness_of(sample));
+                                  : space.simple_witness_of(sample));
   solve(space, enough);
   double value = sample.distance;
   for (std::size_t i = 0; i < nearby_count_; ++i) {

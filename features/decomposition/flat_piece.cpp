@@ -36,7 +36,7 @@ FlatPiece::FlatPiece(ConvexPolygon polygon) : origin_(polygon[0]) {
   }
 }
 
-AffineFunction FlatPiece::linearise(const Eigen::Vector3d& x) const {
+AffineFunction FlatPiece::linearise(const Eigen::Vector3d& x, double margin) const {
   const Eigen::Vector3d offset = x - origin_;
   const double px = offset.dot(first_);
   const double py = offset.dot(second_);
@@ -59,7 +59,7 @@ AffineFunction FlatPiece::linearise(const Eigen::Vector3d& x) const {
     dx = ex;
     dy = ey;
   }
-  if (innermost >= 0) return {std::abs(height), std::copysign(1.0, height) * normal_};
+  if (innermost >= 0 || nearest < margin * margin) return {std::abs(height), std::copysign(1.0, height) * normal_};
   const double distance = std::sqrt(height * height + nearest);
   if (!(distance > 0)) return {0.0, Eigen::Vector3d::Zero()};
   return {distance, (height * normal_ + dx * first_ + dy * second_) / distance};

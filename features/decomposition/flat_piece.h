@@ -17,7 +17,9 @@ class FlatPiece {
   explicit FlatPiece(ConvexPolygon polygon);
 
   /// The distance of a point from the piece and its gradient, zero on the piece.
-  AffineFunction linearise(const Eigen::Vector3d& x) const;
+  /// @param margin the piece counts as so much larger: where x lies above its plane no farther from
+  ///        it, the distance is that from the plane
+  AffineFunction linearise(const Eigen::Vector3d& x, double margin = 0.0) const;
 
   /// Measures the distances of the corners of an axis-aligned cube, x fastest: 8 values.
   void measure_corners(const Eigen::Vector3d& lowest, double size, double* distances) const;

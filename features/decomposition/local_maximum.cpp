@@ -10,7 +10,7 @@ namespace mdbd {
 namespace {
 
 constexpr int max_steps = 100;
-constexpr std::size_t remembered_witnesses = 14;
+constexpr std::size_t remembered_witnesses = 24;
 constexpr std::size_t nearby_balls = 8;
 static_assert(remembered_witnesses + nearby_balls <= max_min_capacity);
 
@@ -24,7 +24,9 @@ class Ascent {
 
   LocalMaximum run() {
     for (int i = 0; i < max_steps; ++i) {
-      const MaxMinSolution promised = maximise_minimum(models(), step_);
+      // A tessellated surface mostly goes on beyond a face as if the face did.
+      MaxMinSolution promised = maximise_minimum(models(step_), step_);
+      if (promised.value - rank() <= precision_) promised = maximise_minimum(models(0.0), step_);
       const double gain = promised.value - rank();
       if (gain <= precision_) break;
       try_point(x_ + promised.point, gain);
@@ -55,6 +57,12 @@ class Ascent {
   }
 
   void remember(const Witness& witness) {
+    const auto is_same = [&](const Witness& known) {
+      return witness.piece != nullptr ? known.piece == witness.piece
+                                      : known.center == witness.center;
+    };
+    const auto end = witnesses_.begin() + static_cast<std::ptrdiff_t>(remembered());
+    if (std::find_if(witnesses_.begin(), end, is_same) != end) return;
     witnesses_[witness_count_++ % remembered_witnesses] = witness;
   }
 
@@ -70,10 +78,10 @@ class Ascent {
 
   std::size_t remembered() const { return std::min(witness_count_, remembered_witnesses); }
 
-  std::span<const AffineFunction> models() {
+  std::span<const AffineFunction> models(double margin) {
     std::size_t count = 0;
     const auto add = [&](const Witness& witness) {
-      models_[count++] = space_.preference().apply(witness.linearise(x_), x_);
+      models_[count++] = space_.preference().apply(witness.linearise(x_, margin), x_);
     };
     std::for_each_n(witnesses_.begin(), remembered(), add);
     std::for_each_n(nearby_.begin(), nearby_count_, add);
@@ -98,7 +106,7 @@ class Ascent {
   double basin_radius() {
     std::array<Eigen::Vector3d, max_min_capacity> directions;
     std::size_t count = 0;
-    for (const AffineFunction& model : models()) {
+    for (const AffineFunction& model : models(0.0)) {
       if (model.offset <= rank() * (1.0 + contact_accuracy)) directions[count++] = model.slope;
     }
     return 2.0 * radius_ * hold_strength({directions.data(), count});

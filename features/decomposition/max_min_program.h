@@ -21,7 +21,7 @@ struct MaxMinSolution {
 };
 
 /// The most functions that maximise_minimum() takes.
-inline constexpr int max_min_capacity = 24;
+inline constexpr int max_min_capacity = 32;
 
 /// Maximises min_i f_i(s) over the box |s|_inf <= half_size: a linear programme in four variables,
 /// solved by the simplex method with bounded variables. The value is an upper bound of the maximum

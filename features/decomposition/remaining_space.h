@@ -26,13 +26,19 @@ class RemainingSpace {
     return field_.measure(query);
   }
 
-  /// What a sample tells. A flat piece that is small for the distance tells no more than its point.
+  /// What a sample tells, with its flat piece, if it has one.
   /// @returns a witness that is valid as long as this object
   Witness witness_of(const DistanceSample& sample) {
-    if (sample.piece.empty() || !is_large(sample)) return {sample.closest};
+    if (sample.piece.empty()) return {sample.closest};
     const auto [entry, is_new] = pieces_.try_emplace(sample.piece.data());
     if (is_new) entry->second = std::make_unique<FlatPiece>(sample.piece);
     return {sample.closest, 0.0, entry->second.get()};
+  }
+
+  /// The same without the piece where it is so small for the distance that it tells little more
+  /// than its point.
+  Witness simple_witness_of(const DistanceSample& sample) {
+    return is_large(sample) ? witness_of(sample) : Witness{sample.closest};
   }
 
   const Preference& preference() const { return preference_; }

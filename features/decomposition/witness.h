@@ -22,8 +22,9 @@ struct Witness {
   double value(const Eigen::Vector3d& x) const { return linearise(x).offset; }
 
   /// The first-order model of the value around x: exact at x, not above the value elsewhere.
-  AffineFunction linearise(const Eigen::Vector3d& x) const {
-    if (piece != nullptr) return piece->linearise(x);
+  /// @param margin a flat piece counts as so much larger, see FlatPiece::linearise()
+  AffineFunction linearise(const Eigen::Vector3d& x, double margin = 0.0) const {
+    if (piece != nullptr) return piece->linearise(x, margin);
     const Eigen::Vector3d difference = x - center;
     const double distance = difference.norm();
     if (!(distance > 0)) return {-radius, Eigen::Vector3d::Zero()};
