@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <memory>
-#include <unordered_map>
 
 #include "features/decomposition/ball_set.h"
+#include "features/decomposition/flat_pieces.h"
 #include "features/decomposition/preference.h"
 #include "features/distance/distance_field.h"
 
@@ -29,10 +29,7 @@ class RemainingSpace {
   /// What a sample tells, with its flat piece, if it has one.
   /// @returns a witness that is valid as long as this object
   Witness witness_of(const DistanceSample& sample) {
-    if (sample.piece.empty()) return {sample.closest};
-    const auto [entry, is_new] = pieces_.try_emplace(sample.piece.data());
-    if (is_new) entry->second = std::make_unique<FlatPiece>(sample.piece);
-    return {sample.closest, 0.0, entry->second.get()};
+    return {sample.closest, 0.0, pieces_.around(sample)};
   }
 
   /// The same without the piece where it is so small for the distance that it tells little more
@@ -53,7 +50,8 @@ class RemainingSpace {
  private:
   static bool is_large(const DistanceSample& sample) {
     constexpr double least_extent = 0.1;
-    const double least = least_extent * sample.distance;
+    const double least = least_extent * std::abs(sample.distance);
+    if (sample.flat_region.radius > least) return true;
     return std::ranges::any_of(sample.piece, [&](const Eigen::Vector3d& corner) {
       return (corner - sample.closest).squaredNorm() > least * least;
     });
@@ -62,7 +60,7 @@ class RemainingSpace {
   const DistanceField& field_;
   Preference preference_;
   BallSet balls_;
-  std::unordered_map<const Eigen::Vector3d*, std::unique_ptr<const FlatPiece>> pieces_;
+  FlatPieces pieces_;
   std::uint64_t query_count_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -21,6 +22,13 @@ struct DistanceQuery {
   double bound = std::numeric_limits<double>::infinity();
 };
 
+/// What is known of the flat surroundings of a boundary point. Object units.
+struct FlatRegion {
+  std::uint32_t number = 0;  ///< the same for all points of a connected flat part of the boundary
+  double radius = 0.0;       ///< the plane belongs to the boundary so far around the point; or zero
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the plane, a unit vector
+};
+
 /// What was measured at a point. Object units.
 struct DistanceSample {
   double distance = 0.0;  ///< to the boundary, positive inside the solid and negative outside
@@ -28,6 +36,8 @@ struct DistanceSample {
   /// A flat piece of the boundary that contains `closest`, if the representation has any; owned by
   /// the field. It says more about the distances nearby than the point alone.
   ConvexPolygon piece = {};
+  /// The flat part of the boundary around `closest`, which may reach beyond the piece.
+  FlatRegion flat_region = {};
 };
 
 /// All that a decomposition knows of a shape: distances. One implementation for each

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "features/core/errors.h"
+#include "features/distance/closest_point.h"
 #include "features/distance/enclosing_ball.h"
 
 namespace mdbd {
@@ -20,7 +21,8 @@ MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh, bool is_closed)
       is_closed_(is_closed),
       tree_(mesh),
       winding_number_(tree_),
-      faces_(mesh) {
+      faces_(mesh),
+      regions_(mesh) {
   if (!(enclosing_ball_.radius > 0)) throw InvalidInput("all vertices of the mesh coincide");
 }
 
@@ -32,7 +34,8 @@ void MeshDistanceField::measure(std::span<const DistanceQuery> queries,
     const double distance = std::sqrt(closest.squared_distance);
     const bool is_inside = query.side == Side::unknown ? winding_number_(query.point) > 0.5
                                                        : query.side == Side::inside;
-    samples[i] = {is_inside ? distance : -distance, closest.point, piece_of(closest.triangle)};
+    samples[i] = {is_inside ? distance : -distance, closest.point, piece_of(closest.triangle),
+                  regions_.around(closest.point, tree_.sources()[closest.triangle])};
   }
 }
 

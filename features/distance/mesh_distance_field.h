@@ -1,8 +1,8 @@
 #pragma once
 
-#include "features/distance/closest_point.h"
 #include "features/distance/convex_faces.h"
 #include "features/distance/distance_field.h"
+#include "features/distance/flat_regions.h"
 #include "features/distance/triangle_tree.h"
 #include "features/distance/winding_number.h"
 
@@ -34,6 +34,7 @@ class MeshDistanceField final : public DistanceField {
   TriangleTree tree_;
   WindingNumber winding_number_;
   ConvexFaces faces_;
+  FlatRegions regions_;
 };
 
 }  // namespace mdbd
