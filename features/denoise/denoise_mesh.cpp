@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,11 @@ constexpr int most_rungs = 14;
 constexpr double worse = 3.0;    // the ladder ends where the mean error is so many times the least
 constexpr int error_rings = 10;  // over which errors are averaged
 constexpr int blend_rings = 3;
+
+// Of neighbours whose normals differ: the difference, of unit vectors, that counts little, and the
+// weight that is left of those beyond it.
+constexpr double normal_spread = 0.35;
+constexpr double least_weight = 1e-3;
 
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -73,8 +79,9 @@ Eigen::VectorXd expected_errors(const Positions& noisy, const Positions& smooth,
   return moves.array().square() + constant;
 }
 
-Ladder climb(const TriangleMesh& mesh, const VertexNeighbours& neighbours, double level) {
-  const UmbrellaSmoother smoother(neighbours);
+Ladder climb(const TriangleMesh& mesh, const VertexNeighbours& neighbours,
+             std::span<const double> weights, double level) {
+  const UmbrellaSmoother smoother(neighbours, weights);
   const Positions noisy = positions_of(mesh);
   Ladder ladder;
   Positions smooth = noisy;
@@ -94,18 +101,51 @@ Ladder climb(const TriangleMesh& mesh, const VertexNeighbours& neighbours, doubl
 }
 
 /// How much of each strength a vertex gets: that of the least error near it, blended.
-Columns blending_weights(const Ladder& ladder, const VertexNeighbours& neighbours) {
+Columns blending_shares(const Ladder& ladder, const VertexNeighbours& neighbours) {
   const auto rungs = static_cast<Eigen::Index>(ladder.strengths.size());
   Columns errors(neighbours.size(), rungs);
   for (Eigen::Index k = 0; k < rungs; ++k) errors.col(k) = ladder.errors[k];
   average(neighbours, error_rings, errors);
-  Columns weights = Columns::Zero(errors.rows(), rungs);
+  Columns shares = Columns::Zero(errors.rows(), rungs);
   for (Eigen::Index v = 0; v < errors.rows(); ++v) {
     Eigen::Index best = 0;
     errors.row(v).minCoeff(&best);
-    weights(v, best) = 1.0;
+    shares(v, best) = 1.0;
   }
-  average(neighbours, blend_rings, weights);
+  average(neighbours, blend_rings, shares);
+  return shares;
+}
+
+struct Smoothed {
+  Positions positions;
+  double strength;  // geometric mean
+};
+
+Smoothed smooth_adaptively(const TriangleMesh& mesh, const VertexNeighbours& neighbours,
+                           std::span<const double> weights, double level) {
+  const Ladder ladder = climb(mesh, neighbours, weights, level);
+  const Columns shares = blending_shares(ladder, neighbours);
+  Positions blended = Positions::Zero(shares.rows(), 3);
+  double logarithms = 0.0;
+  for (std::size_t k = 0; k < ladder.strengths.size(); ++k) {
+    const auto share = shares.col(static_cast<Eigen::Index>(k));
+    blended += share.asDiagonal() * ladder.smooth[k];
+    logarithms += share.sum() * std::log(ladder.strengths[k]);
+  }
+  return {.positions = std::move(blended),
+          .strength = std::exp(logarithms / static_cast<double>(shares.rows()))};
+}
+
+/// Low between neighbours on different sides of an edge of the surface.
+std::vector<double> edge_weights(const VertexNeighbours& neighbours, const Positions& normals) {
+  std::vector<double> weights;
+  weights.reserve(neighbours.vertices.size());
+  for (std::uint32_t v = 0; v < neighbours.size(); ++v) {
+    for (const std::uint32_t other : neighbours.of(v)) {
+      const double difference = (normals.row(v) - normals.row(other)).norm() / normal_spread;
+      weights.push_back(std::exp(-0.5 * difference * difference) + least_weight);
+    }
+  }
   return weights;
 }
 
@@ -117,20 +157,14 @@ DenoisedMesh denoise_mesh(TriangleMesh mesh) {
   const NoiseEstimate estimate = estimate_noise(mesh, neighbours, scale);
   if (!estimate.is_significant) return {.mesh = std::move(mesh)};
 
-  const Ladder ladder = climb(mesh, neighbours, estimate.level);
-  const Columns weights = blending_weights(ladder, neighbours);
-  Positions blended = Positions::Zero(weights.rows(), 3);
-  double logarithms = 0.0;
-  for (Eigen::Index k = 0; k < weights.cols(); ++k) {
-    blended += weights.col(k).asDiagonal() * ladder.smooth[k];
-    logarithms += weights.col(k).sum() * std::log(ladder.strengths[k]);
-  }
+  const std::vector<double> equal(neighbours.vertices.size(), 1.0);
+  const Positions guide = smooth_adaptively(mesh, neighbours, equal, estimate.level).positions;
+  const auto weights = edge_weights(neighbours, unit_normals(mesh.triangles, guide));
+  const Smoothed result = smooth_adaptively(mesh, neighbours, weights, estimate.level);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    mesh.vertices[i] = blended.row(static_cast<Eigen::Index>(i)).transpose();
+    mesh.vertices[i] = result.positions.row(static_cast<Eigen::Index>(i)).transpose();
   }
-  return {.mesh = std::move(mesh),
-          .noise = estimate.level / scale,
-          .strength = std::exp(logarithms / static_cast<double>(weights.rows()))};
+  return {.mesh = std::move(mesh), .noise = estimate.level / scale, .strength = result.strength};
 }
 
 }  // namespace mdbd

@@ -19,7 +19,8 @@ struct DenoisedMesh {
 /// of the smoother, moving vertices by m along the normal leaves m² - s² + 2 s² h in the mean
 /// (Stein, Estimation of the Mean of a Multivariate Normal Distribution, 1981). So plane and evenly
 /// curved parts are smoothed more than edges and tips, and the parts taken from different strengths
-/// are blended.
+/// are blended. This is done twice; the second time neighbours count the less the more their
+/// normals differ in the first result, so that edges stay sharper.
 ///
 /// Deterministic; a copy that is moved, turned, mirrored, scaled or listed in another order gives
 /// the same surface up to rounding. Time and memory are linear in the size of the mesh.

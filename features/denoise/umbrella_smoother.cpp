@@ -9,29 +9,36 @@ namespace mdbd {
 namespace {
 
 constexpr int most_steps = 200;
-constexpr double residual_reduction = 1e-3;
+constexpr double residual_reduction = 1e-4;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-void add_umbrella(std::uint32_t vertex, const VertexNeighbours& neighbours, Triplets& entries) {
-  const auto ring = neighbours.of(vertex);
+void add_umbrella(std::uint32_t vertex, const VertexNeighbours& neighbours,
+                  std::span<const double> weights, Triplets& entries) {
   const auto openness = neighbours.openness_of(vertex);
-  const auto open = std::ranges::count(openness, char{1});
-  const bool is_border = open > 0;
-  const auto count = static_cast<double>(is_border ? open : std::ssize(ring));
-  if (count == 0) return;
+  const bool is_border = std::ranges::count(openness, char{1}) > 0;
+  const std::uint32_t begin = neighbours.begin[vertex];
+  const std::uint32_t end = neighbours.begin[vertex + 1];
+  const auto weight = [&](std::uint32_t i) {
+    return is_border && neighbours.is_open[i] == 0 ? 0.0 : weights[i];
+  };
+  double sum = 0.0;
+  for (std::uint32_t i = begin; i < end; ++i) sum += weight(i);
+  if (!(sum > 0.0)) return;
   entries.emplace_back(vertex, vertex, 1.0);
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (!is_border || openness[i] != 0) entries.emplace_back(vertex, ring[i], -1.0 / count);
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (weight(i) > 0.0) entries.emplace_back(vertex, neighbours.vertices[i], -weight(i) / sum);
   }
 }
 
 }  // namespace
 
-UmbrellaSmoother::UmbrellaSmoother(const VertexNeighbours& neighbours) {
+UmbrellaSmoother::UmbrellaSmoother(const VertexNeighbours& neighbours,
+                                   std::span<const double> weights) {
   Triplets entries;
   entries.reserve(neighbours.size() + neighbours.vertices.size());
-  for (std::uint32_t v = 0; v < neighbours.size(); ++v) add_umbrella(v, neighbours, entries);
+  for (std::uint32_t v = 0; v < neighbours.size(); ++v)
+    add_umbrella(v, neighbours, weights, entries);
   const auto size = static_cast<Eigen::Index>(neighbours.size());
   umbrella_.resize(size, size);
   umbrella_.setFromTriplets(entries.begin(), entries.end());

@@ -10,6 +10,11 @@ using namespace mdbd::test;
 
 namespace {
 
+UmbrellaSmoother make_smoother(const TriangleMesh& mesh) {
+  const VertexNeighbours neighbours = find_neighbours(mesh);
+  return {neighbours, std::vector<double>(neighbours.vertices.size(), 2.0)};
+}
+
 Positions random_positions(std::size_t count) {
   Random random(3);
   Positions positions(count, 3);
@@ -22,7 +27,7 @@ Positions random_positions(std::size_t count) {
 }  // namespace
 
 TEST_CASE("no strength changes nothing, and no strength moves a constant") {
-  const UmbrellaSmoother smoother(find_neighbours(make_sphere(3)));
+  const UmbrellaSmoother smoother = make_smoother(make_sphere(3));
   const Positions noisy = random_positions(make_sphere(3).vertices.size());
   CHECK((smoother.smooth(noisy, 0.0, noisy) - noisy).norm() < 1e-12);
   const Positions constant = Positions::Constant(noisy.rows(), 3, 7.0);
@@ -30,7 +35,7 @@ TEST_CASE("no strength changes nothing, and no strength moves a constant") {
 }
 
 TEST_CASE("the start does not matter beyond the tolerance") {
-  const UmbrellaSmoother smoother(find_neighbours(make_sphere(4)));
+  const UmbrellaSmoother smoother = make_smoother(make_sphere(4));
   const Positions noisy = random_positions(make_sphere(4).vertices.size());
   const Positions first = smoother.smooth(noisy, 20.0, noisy);
   const Positions second = smoother.smooth(noisy, 20.0, smoother.smooth(noisy, 80.0, noisy));
@@ -39,7 +44,7 @@ TEST_CASE("the start does not matter beyond the tolerance") {
 
 TEST_CASE("a straight border stays where it is") {
   const TriangleMesh sheet = make_sheet(20);
-  const UmbrellaSmoother smoother(find_neighbours(sheet));
+  const UmbrellaSmoother smoother = make_smoother(sheet);
   Positions positions(sheet.vertices.size(), 3);
   for (std::size_t i = 0; i < sheet.vertices.size(); ++i) {
     positions.row(static_cast<Eigen::Index>(i)) = sheet.vertices[i].transpose();
@@ -55,7 +60,7 @@ TEST_CASE("a straight border stays where it is") {
 TEST_CASE("the response is how much of random positions stays") {
   CHECK(UmbrellaSmoother::response(0.0) == Approx(1.0));
   for (const NamedMesh& shape : fine_meshes()) {
-    const UmbrellaSmoother smoother(find_neighbours(shape.mesh));
+    const UmbrellaSmoother smoother = make_smoother(shape.mesh);
     const Positions noise = random_positions(shape.mesh.vertices.size());
     for (const double strength : {0.5, 4.0, 32.0}) {
       INFO(shape.name << ", strength " << strength);
@@ -64,4 +69,17 @@ TEST_CASE("the response is how much of random positions stays") {
       CHECK(stays == Approx(UmbrellaSmoother::response(strength)).epsilon(0.2));
     }
   }
+}
+
+TEST_CASE("a neighbour of no weight does not count") {
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
+  const VertexNeighbours neighbours = find_neighbours(mesh);
+  REQUIRE(neighbours.vertices == std::vector<std::uint32_t>{1, 2, 0, 2, 0, 1});
+  const UmbrellaSmoother smoother(neighbours, std::vector<double>{1, 0, 1, 0, 1, 0});
+  Positions noisy(3, 3);
+  noisy << 0, 0, 0, 4, 0, 0, 4, 8, 0;
+  const Positions smooth = smoother.smooth(noisy, 1e3, noisy);
+  CHECK((smooth.row(0) - smooth.row(1)).norm() < 0.01);
+  CHECK((smooth.row(0) - smooth.row(2)).norm() < 0.01);
+  CHECK((smooth.colwise().mean() - noisy.colwise().mean()).norm() < 0.01);
 }
