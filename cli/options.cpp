@@ -41,6 +41,16 @@ CLI::Option* add_duration_option(CLI::App& app, const std::string& name,
       ->default_str(format_duration(duration));
 }
 
+CLI::Option* add_denoise_option(CLI::App& app, std::optional<std::string>& denoise) {
+  return app
+      .add_option("--denoise", denoise,
+                  "auto takes noise from meshes where it stands out and leaves clean ones as they "
+                  "are; off takes all as they are")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->type_name("MODE")
+      ->default_str("auto");
+}
+
 std::string format_size(std::uint64_t bytes) {
   constexpr std::array units = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
   std::size_t unit = 0;

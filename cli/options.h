@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -24,6 +25,9 @@ CLI::Option* add_size_option(CLI::App& app, const std::string& name, std::uint64
 CLI::Option* add_duration_option(CLI::App& app, const std::string& name,
                                  std::chrono::duration<double>& duration,
                                  const std::string& description);
+
+/// Adds `--denoise auto|off`, Recipe::denoise; stays empty if it is not given.
+CLI::Option* add_denoise_option(CLI::App& app, std::optional<std::string>& denoise);
 
 /// A number of bytes for people: "2 GiB", "512 MiB", "1.5 KiB", "17 B".
 std::string format_size(std::uint64_t bytes);

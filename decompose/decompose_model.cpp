@@ -9,7 +9,7 @@ namespace mdbd {
 namespace {
 
 DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& recipe) {
-  const Shape shape = load_shape(path);
+  const Shape shape = load_shape(path, recipe);
   BallDecomposition decomposition = decompose_shape(shape, recipe);
   ContactGraph contacts = build_contact_graph(decomposition.balls, recipe.contact_tolerance);
   const Certificate certificate = check_certificate(*shape.field, decomposition);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/options.h"
 #include "cli/program.h"
 #include "cli/terminal.h"
 #include "decompose/ball_output.h"
@@ -54,8 +55,11 @@ int main(int argc, char** argv) {
                  "How far a ball's radius may be below the largest possible, relative to it")
       ->type_name("RATIO")
       ->capture_default_str();
+  std::optional<std::string> denoise;
+  mdbd::add_denoise_option(app, denoise);
 
   return mdbd::run_program(app, argc, argv, [&] {
+    recipe.denoise = denoise.value_or(recipe.denoise);
     require_valid(recipe);
     const auto format = output.empty() ? mdbd::BallFormat::csv : require_format(output);
     const mdbd::DecomposedModel result = mdbd::decompose_model(model, recipe);

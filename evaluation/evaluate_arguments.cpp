@@ -41,6 +41,7 @@ void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recip
       ->capture_default_str();
   add_number(app, "--balls", arguments.balls, 1, 100'000, "Balls of a model")
       ->default_str(std::to_string(defaults.balls));
+  add_denoise_option(app, arguments.denoise);
   add_number(app, "--jobs", arguments.cache.jobs, 1, 1024, "Models computed at once")
       ->capture_default_str();
   app.add_option("--cache", arguments.cache.folder, "Keep what is computed in this folder")
@@ -64,6 +65,7 @@ CLI::App* add_command(CLI::App& app, EvaluateArguments& arguments, const char* n
     }
     arguments.recipe = defaults;
     arguments.recipe.balls = arguments.balls.value_or(defaults.balls);
+    arguments.recipe.denoise = arguments.denoise.value_or(defaults.denoise);
     arguments.make_report = make;
   });
   return command;

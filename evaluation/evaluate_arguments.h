@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "evaluation/evaluation_input.h"
 #include "evaluation/report/report.h"
@@ -28,6 +29,7 @@ struct EvaluateArguments {
   std::uint64_t seed = 1;
   std::size_t sample_size = 0;  ///< models of each class; 0 takes all
   std::optional<int> balls;
+  std::optional<std::string> denoise;
   CacheOptions cache;
   bool is_quiet = false;
 

@@ -193,7 +193,7 @@ DescribedModels ModelCache::describe(std::span<const LabelledModel> models,
     progress_.on_stage(variant.name.empty() ? "clean models" : variant.name, pending.size());
   }
   const auto describe = [&](const fs::path& path) {
-    return describe_shape(variant.load(path), recipe());
+    return describe_shape(variant.load(path, recipe()), recipe());
   };
   const auto work = [&](std::size_t i, const SendOutput& send) {
     run_model_job(models[i].file.path, records.known_keys(), describe, send);

@@ -25,10 +25,10 @@ struct Variant {
   /// Names the change with all its parameters and seeds, for people and as a key of the cache:
   /// "noise 0.5 %, seed 1". Empty: the model as it is.
   std::string name;
-  /// Loads the shape of a file. It may depend on the variant's name and on the file's content and
-  /// ending only, not on its path: copies of a file share their results.
+  /// Loads the shape of a file for a recipe. It may depend on the variant's name and on the file's
+  /// content and ending only, not on its path: copies of a file share their results.
   /// @throws IoError, InvalidInput
-  std::function<Shape(const std::filesystem::path&)> load;
+  std::function<Shape(const std::filesystem::path&, const Recipe&)> load;
 };
 
 /// The models as they are.

@@ -15,7 +15,7 @@ ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe) {
 }
 
 ShapeDescription describe_file(const std::filesystem::path& path, const Recipe& recipe) {
-  return describe_shape(load_shape(path), recipe);
+  return describe_shape(load_shape(path, recipe), recipe);
 }
 
 }  // namespace mdbd

@@ -19,14 +19,18 @@ struct Shape {
   std::unique_ptr<const DistanceField> field;
 };
 
-/// Reads a shape.
+/// Reads a shape and prepares it as the recipe says: see prepare_surface().
 /// @throws IoError if the file cannot be read
 /// @throws InvalidInput if it is no usable shape; the message does not name the file
-Shape load_shape(const std::filesystem::path& path);
+Shape load_shape(const std::filesystem::path& path, const Recipe& recipe);
 
-/// The shape of a mesh that is in memory, cleaned in the way of read_mesh().
+/// The shape of a mesh that is in memory, cleaned in the way of read_mesh() and prepared.
 /// @throws InvalidInput if it is no usable shape
-Shape make_mesh_shape(const TriangleMesh& mesh);
+Shape make_mesh_shape(const TriangleMesh& mesh, const Recipe& recipe);
+
+/// The mesh from which the shape of a clean mesh measures its distances: denoised by denoise_mesh()
+/// unless the recipe switches that off. Without significant noise it is the same mesh.
+TriangleMesh prepare_surface(TriangleMesh mesh, const Recipe& recipe);
 
 /// Decomposes a shape as the recipe says.
 /// @throws InvalidInput if it encloses no ball of the minimum radius

@@ -12,6 +12,7 @@ namespace {
 Recipe with_overrides(Recipe recipe, const RecipeOverrides& overrides) {
   recipe.balls = overrides.balls.value_or(recipe.balls);
   recipe.radius_tolerance = overrides.radius_tolerance.value_or(recipe.radius_tolerance);
+  recipe.denoise = overrides.denoise.value_or(recipe.denoise);
   validate(recipe);
   return recipe;
 }

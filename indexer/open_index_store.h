@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "store/shape_store.h"
 
@@ -12,6 +13,7 @@ namespace mdbd {
 struct RecipeOverrides {
   std::optional<int> balls;
   std::optional<double> radius_tolerance;
+  std::optional<std::string> denoise = {};
 };
 
 /// Opens the database of an index run. A new one gets the default recipe with the overrides; an

@@ -1,10 +1,13 @@
 #include "evaluation/reports/certificate_checks.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "features/core/errors.h"
 #include "features/core/random.h"
+#include "features/shape.h"
 #include "features/shape_io/read_mesh.h"
 
 using nlohmann::ordered_json;
@@ -25,7 +28,7 @@ namespace {
 
 CheckedModel check_model(const LabelledModel& model, const DescribedModel& description,
                          const Recipe& recipe, const RecheckOptions& options) {
-  const MeshFile file = read_mesh(model.file.path);
+  MeshFile file = read_mesh(model.file.path);
   const bool is_complete = description.balls.size() >= static_cast<std::size_t>(recipe.balls);
   CheckedModel checked{
       .model = model,
@@ -33,7 +36,8 @@ CheckedModel check_model(const LabelledModel& model, const DescribedModel& descr
       .balls = description.balls.size(),
       .is_closed = file.statistics.watertight && file.statistics.orientation != Orientation::mixed,
       .result = {}};
-  checked.result = recheck_balls(file.mesh, description.balls, description.scale,
+  const TriangleMesh surface = prepare_surface(std::move(file.mesh), recipe);
+  checked.result = recheck_balls(surface, description.balls, description.scale,
                                  is_complete ? 0.0 : recipe.minimum_radius, options);
   return checked;
 }

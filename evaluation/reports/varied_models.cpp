@@ -69,8 +69,8 @@ ordered_json model_to_json(const std::string& name, const DescribedModel& model,
 Variant perturbed_variant(const Perturbation& perturbation, std::uint64_t seed) {
   return {.name = perturbation.is_random ? fmt::format("{}, seed {}", perturbation.name, seed)
                                          : perturbation.name,
-          .load = [perturbation, seed](const std::filesystem::path& path) {
-            return make_mesh_shape(perturb_file(path, perturbation, seed));
+          .load = [perturbation, seed](const std::filesystem::path& path, const Recipe& recipe) {
+            return make_mesh_shape(perturb_file(path, perturbation, seed), recipe);
           }};
 }
 

@@ -11,7 +11,7 @@ namespace mdbd {
 inline constexpr std::string_view signature_mdbd_100 = "mdbd-100";
 
 /// Raised whenever the same parameters give other numbers than before.
-inline constexpr int current_algorithm_version = 2;
+inline constexpr int current_algorithm_version = 3;
 
 /// Every parameter that changes numbers. A database holds vectors of one recipe only; vectors of
 /// different recipes are never compared.
@@ -25,6 +25,8 @@ struct Recipe {
   double walk_damping = 0.9;        ///< lambda, damps the walk sum of step t by lambda^t
   double contact_tolerance = 1e-3;  ///< tau, relative to the smaller of two radii
   double walk_weight = 1.0;         ///< alpha, weight of the walk part in the similarity distance
+  /// What is done to noisy input: "auto" takes noise that stands out from meshes, "off" nothing.
+  std::string denoise = "auto";
   std::string scaling = "enclosing-ball";  ///< radii are divided by R
 
   bool operator==(const Recipe&) const = default;

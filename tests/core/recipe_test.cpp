@@ -24,6 +24,7 @@ Recipe make_other_recipe() {
   recipe.walk_damping = std::nextafter(0.9, 1.0);
   recipe.contact_tolerance = std::numeric_limits<double>::denorm_min();
   recipe.walk_weight = 1e5 + 1e-9;
+  recipe.denoise = "off";
   return recipe;
 }
 
@@ -58,7 +59,8 @@ TEST_CASE("the entries of the default recipe are these") {
       {"radius_tolerance", "0.001"}, {"minimum_radius", "0.001"},
       {"descriptor_balls", "50"},    {"walk_steps", "50"},
       {"walk_damping", "0.9"},       {"contact_tolerance", "0.001"},
-      {"walk_weight", "1"},          {"scaling", "enclosing-ball"},
+      {"walk_weight", "1"},          {"denoise", "auto"},
+      {"scaling", "enclosing-ball"},
   };
   CHECK(to_entries(Recipe{}) == expected);
 }
@@ -155,6 +157,8 @@ TEST_CASE("every parameter has its range") {
   for (const double x : {-1e-9, 1.0, nan}) CHECK_FALSE(is_valid(&Recipe::contact_tolerance, x));
   for (const double x : {0.0, 999'999.0}) CHECK(is_valid(&Recipe::walk_weight, x));
   for (const double x : {-1.0, 1e6, HUGE_VAL, nan}) CHECK_FALSE(is_valid(&Recipe::walk_weight, x));
+  CHECK(is_valid(&Recipe::denoise, std::string("off")));
+  CHECK_FALSE(is_valid(&Recipe::denoise, std::string("always")));
   CHECK_FALSE(is_valid(&Recipe::scaling, std::string("volume")));
 }
 

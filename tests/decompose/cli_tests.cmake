@@ -33,6 +33,10 @@ mdbd_cli_test(NAME decompose/no_balls COMMAND mdbd-decompose ${cube} --balls 0 E
   REGEXP "balls must be from 1")
 mdbd_cli_test(NAME decompose/tolerance_too_large COMMAND mdbd-decompose ${cube} --tolerance 1 EXIT 2
   REGEXP "radius tolerance must be")
+mdbd_cli_test(NAME decompose/denoise_off REGEXP "\"denoise\":\"off\"" "\"denoise_filter\":\"none\""
+  COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 --denoise off -o balls.json && cat balls.json")
+mdbd_cli_test(NAME decompose/denoise_unknown COMMAND mdbd-decompose ${cube} --denoise maybe EXIT 2
+  REGEXP "--denoise: maybe not in")
 mdbd_cli_test(NAME decompose/help COMMAND mdbd-decompose --help REGEXP "Usage" "Examples" "--tolerance")
 mdbd_cli_test(NAME decompose/version COMMAND mdbd-decompose --version
   REGEXP "^mdbd-decompose ${PROJECT_VERSION}\n$")

@@ -1,11 +1,13 @@
 #include "features/describe.h"
 
+#include <cmath>
 #include <fstream>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "features/core/errors.h"
+#include "perturbation/noise.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_directory.h"
@@ -53,7 +55,31 @@ TEST_CASE("what encloses nothing is refused with a reason") {
 
 TEST_CASE("a closed mesh with a turned face is no closed solid") {
   TriangleMesh cube = test::make_cube();
-  CHECK(make_mesh_shape(cube).field->is_closed());
+  CHECK(make_mesh_shape(cube, Recipe{}).field->is_closed());
   std::swap(cube.triangles[3][0], cube.triangles[3][1]);
-  CHECK_FALSE(make_mesh_shape(cube).field->is_closed());
+  CHECK_FALSE(make_mesh_shape(cube, Recipe{}).field->is_closed());
+}
+
+TEST_CASE("a noisy mesh is denoised unless that is off, and the record says so") {
+  const TriangleMesh clean = make_torus(1.0, 0.4, 80, 40);
+  const TriangleMesh noisy = displace_vertices(clean, 0.01, 3);
+  Recipe recipe;
+  const auto largest_ball = [](const Shape& shape) {
+    return decompose_shape(shape, {.balls = 1}).balls[0].radius;
+  };
+  const auto record = [](const Shape& shape) { return nlohmann::json::parse(shape.statistics); };
+  const Shape untouched = make_mesh_shape(clean, recipe);
+  CHECK(record(untouched).at("noise") == 0.0);
+  CHECK(record(untouched).at("denoise_filter") == "none");
+
+  const Shape smoothed = make_mesh_shape(noisy, recipe);
+  CHECK(record(smoothed).at("noise").get<double>() == Approx(0.02 / std::sqrt(5.0)).epsilon(0.25));
+  CHECK(record(smoothed).at("denoise_filter") == "umbrella");
+  CHECK(record(smoothed).at("denoise_strength") > 1.0);
+  CHECK(largest_ball(smoothed) == Approx(largest_ball(untouched)).epsilon(0.02));
+
+  recipe.denoise = "off";
+  const Shape rough = make_mesh_shape(noisy, recipe);
+  CHECK(record(rough).at("noise") == 0.0);
+  CHECK(largest_ball(rough) < 0.97 * largest_ball(untouched));
 }

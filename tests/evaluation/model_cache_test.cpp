@@ -49,8 +49,9 @@ class Bench {
   }
 
   Variant variant(const std::string& name) const {
-    return {.name = name,
-            .load = [this](const fs::path& path) { return make_mesh_shape(box(read(path))); }};
+    return {.name = name, .load = [this](const fs::path& path, const Recipe& recipe) {
+              return make_mesh_shape(box(read(path)), recipe);
+            }};
   }
 
   FileSignature signature(const std::string& name) const {

@@ -32,6 +32,9 @@ mdbd_cli_test(NAME index/adopts_recipe SETUP "${copy_models}"
 mdbd_cli_test(NAME index/other_recipe EXIT 1 SETUP "${copy_models}"
   COMMAND sh -c "${index} models && '$<TARGET_FILE:mdbd-index>' models --balls 21"
   REGEXP "another recipe: balls 20 against 21" "--db")
+mdbd_cli_test(NAME index/other_denoise EXIT 1 SETUP "${copy_models}"
+  COMMAND sh -c "${index} models --denoise off && ${index} models && ${index} models --denoise auto"
+  REGEXP "unchanged +2\n" "another recipe: denoise off against auto")
 mdbd_cli_test(NAME index/moved SETUP "${copy_models}"
   COMMAND sh -c "${index} models && mv models/cube.off models/box.off && ${index} models"
   REGEXP "indexed +0\nunchanged +1\nmoved +1\n")
