@@ -1,21 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "features/core/signature.h"
+
 namespace mdbd {
-
-/// The name of the signature of the paper's section 5: 50 radii and 50 random-walk sums.
-inline constexpr std::string_view signature_mdbd_100 = "mdbd-100";
-
-/// The name of the signature that knows where the balls are: features/descriptor/fused_signature.h.
-inline constexpr std::string_view signature_mdbd_fused = "mdbd-fused";
-
-/// The name under which the store keeps mdbd-fused. Its number is raised whenever the same balls
-/// give another signature: what is stored under an older one is computed again from the balls.
-inline constexpr std::string_view stored_mdbd_fused = "mdbd-fused/1";
 
 /// Raised whenever the same parameters give other numbers than before.
 inline constexpr int current_algorithm_version = 2;

@@ -63,4 +63,16 @@ std::vector<float> compute_fused_signature(std::span<const Ball> balls, double s
   return signature;
 }
 
+std::array<double, fused_parts.size()> fused_part_distances(std::span<const float> f,
+                                                            std::span<const float> g) {
+  std::array<double, fused_parts.size()> distances{};
+  for (std::size_t part = 0; part < distances.size(); ++part) {
+    const std::size_t end = fused_parts[part].first + fused_parts[part].count;
+    for (std::size_t i = fused_parts[part].first; i < end; ++i) {
+      distances[part] += std::abs(static_cast<double>(f[i]) - static_cast<double>(g[i]));
+    }
+  }
+  return distances;
+}
+
 }  // namespace mdbd

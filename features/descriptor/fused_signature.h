@@ -56,4 +56,9 @@ inline constexpr std::size_t fused_size = fused_parts.back().first + fused_parts
 /// @returns fused_size numbers; zeros if there are no balls
 std::vector<float> compute_fused_signature(std::span<const Ball> balls, double scale);
 
+/// What each part contributes to the L1 distance of two signatures; the sum is the distance.
+/// @pre f.size() == g.size() == fused_size
+std::array<double, fused_parts.size()> fused_part_distances(std::span<const float> f,
+                                                            std::span<const float> g);
+
 }  // namespace mdbd
