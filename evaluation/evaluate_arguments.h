@@ -29,6 +29,7 @@ struct EvaluateArguments {
   std::size_t sample_size = 0;  ///< models of each class; 0 takes all
   std::optional<int> balls;
   CacheOptions cache;
+  SignatureKind signature = SignatureKind::mdbd_100;
   bool is_quiet = false;
 
   RetrievalOptions retrieval;
