@@ -17,6 +17,17 @@ CLI::Option* add_database_option(CLI::App& app, std::filesystem::path& database)
       ->capture_default_str();
 }
 
+CLI::Option* add_signature_option(CLI::App& app, SignatureKind& signature) {
+  const std::string fused(signature_mdbd_fused);
+  const auto choose = [&signature, fused](const std::string& name) {
+    signature = name == fused ? SignatureKind::mdbd_fused : SignatureKind::mdbd_100;
+  };
+  return app.add_option_function<std::string>("--signature", choose, "What is compared")
+      ->check(CLI::IsMember({std::string(signature_mdbd_100), fused}).description(""))
+      ->type_name("mdbd-100|mdbd-fused")
+      ->default_str(std::string(to_string(signature)));
+}
+
 CLI::Option* add_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
                              const std::string& description) {
   return app.add_option(name, bytes, description)

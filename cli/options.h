@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "features/core/signature.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -16,6 +18,9 @@ namespace mdbd {
 
 /// Adds `--db PATH`: the option, else $MDBD_DB, else ./mdbd.db.
 CLI::Option* add_database_option(CLI::App& app, std::filesystem::path& database);
+
+/// Adds `--signature NAME`: what is compared.
+CLI::Option* add_signature_option(CLI::App& app, SignatureKind& signature);
 
 /// Adds an option for a number of bytes: "1000000", "512M" or "512MiB" (1024²), "2GiB". At least 1.
 CLI::Option* add_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,

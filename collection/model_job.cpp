@@ -35,7 +35,8 @@ json encode(const ModelResult& result) {
           {"reason", record.reason},
           {"walk_is_defined", record.walk_is_defined},
           {"balls", std::move(balls)},
-          {"signature", result.data.signature}};
+          {"signature", result.data.signature},
+          {"fused", result.data.fused}};
 }
 
 ModelResult decode(const json& object) {
@@ -51,6 +52,7 @@ ModelResult decode(const json& object) {
   object.at("reason").get_to(record.reason);
   object.at("walk_is_defined").get_to(record.walk_is_defined);
   object.at("signature").get_to(result.data.signature);
+  object.at("fused").get_to(result.data.fused);
   const auto balls = object.at("balls").get<std::vector<double>>();
   for (std::size_t i = 0; i + 4 <= balls.size(); i += 4) {
     result.data.balls.push_back({{balls[i], balls[i + 1], balls[i + 2]}, balls[i + 3]});
@@ -70,6 +72,7 @@ bool is_finite(const ShapeDescription& description) {
   const auto is_number = [](auto value) { return std::isfinite(value); };
   return is_number(description.decomposition.scale) &&
          std::ranges::all_of(description.descriptor.values, is_number) &&
+         std::ranges::all_of(description.fused, is_number) &&
          std::ranges::all_of(description.decomposition.balls, [&](const Ball& ball) {
            return ball.center.allFinite() && is_number(ball.radius);
          });
@@ -91,6 +94,7 @@ ModelResult succeeded(ShapeDescription description) {
   }
   result.data.balls = decomposition.balls;
   result.data.signature = std::move(description.descriptor.values);
+  result.data.fused = std::move(description.fused);
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   mdbd-evaluate retrieval models --html retrieval.html
-  mdbd-evaluate noise models --levels 0.5,1,2 --json noise.json
+  mdbd-evaluate noise models --levels 0.5,1,2 --signature mdbd-fused --json noise.json
   mdbd-evaluate classify models --sample 50 --seed 7
   mdbd-evaluate retrieval --help            the options of a command
 
@@ -39,6 +39,7 @@ void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recip
   app.add_option("--seed", arguments.seed, "Everything random depends on it")
       ->type_name("N")
       ->capture_default_str();
+  add_signature_option(app, arguments.signature);
   add_number(app, "--balls", arguments.balls, 1, 100'000, "Balls of a model")
       ->default_str(std::to_string(defaults.balls));
   add_denoise_option(app, arguments.denoise);
@@ -79,7 +80,7 @@ void add_retrieval(CLI::App& app, EvaluateArguments& arguments) {
                                   });
   command->add_flag_callback(
       "--no-rivals", [&] { arguments.retrieval.has_rivals = false; },
-      "Leave out the rivals ESF, GASD and D2");
+      "Leave out the rivals ESF, GASD, D2 and SH of distances");
   add_number(*command, "--confusions", arguments.retrieval.confusions, 0, 1'000'000,
              "List so many of the worst confusions")
       ->capture_default_str();

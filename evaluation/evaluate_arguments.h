@@ -31,6 +31,7 @@ struct EvaluateArguments {
   std::optional<int> balls;
   std::optional<std::string> denoise;
   CacheOptions cache;
+  SignatureKind signature = SignatureKind::mdbd_100;
   bool is_quiet = false;
 
   RetrievalOptions retrieval;

@@ -2,14 +2,26 @@
 
 #include <fmt/format.h>
 
+#include "evaluation/signature_terms.h"
 #include "features/core/errors.h"
-#include "features/descriptor/similarity_distance.h"
+#include "features/descriptor/fused_signature.h"
 
 namespace mdbd {
 
+DescribedModels describe_models(const EvaluationInput& input, std::span<const LabelledModel> models,
+                                const Variant& variant) {
+  DescribedModels described = input.cache.describe(models, variant);
+  if (input.signature == SignatureKind::mdbd_fused) {
+    for (auto& model : described) {
+      if (model) model->descriptor = compute_fused_signature(model->balls, model->scale);
+    }
+  }
+  return described;
+}
+
 CleanModels describe_clean_models(const EvaluationInput& input) {
   const std::vector<LabelledModel>& models = input.collection.models;
-  DescribedModels described = input.cache.describe(models, clean_variant());
+  DescribedModels described = describe_models(input, models, clean_variant());
   CleanModels clean;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!described[i]) continue;
@@ -25,17 +37,10 @@ CleanModels describe_clean_models(const EvaluationInput& input) {
   return clean;
 }
 
-DistanceMatrix similarity_matrix(const CleanModels& clean, const Recipe& recipe) {
-  const std::vector<DescribedModel>& models = clean.descriptions;
-  DistanceMatrix matrix(models.size());
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      matrix(i, j) = matrix(j, i) = similarity_distance(models[i].descriptor, models[j].descriptor,
-                                                        recipe.descriptor_balls, recipe.walk_weight)
-                                        .total;
-    }
-  }
-  return matrix;
+DistanceMatrix signature_matrix(const EvaluationInput& input, const CleanModels& clean) {
+  std::vector<std::vector<float>> vectors;
+  for (const DescribedModel& model : clean.descriptions) vectors.push_back(model.descriptor);
+  return vector_distances(vectors, signature_terms(input.signature, input.cache.recipe()));
 }
 
 }  // namespace mdbd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "evaluation/distance_matrix.h"
@@ -14,18 +15,25 @@ struct EvaluationInput {
   const LabelledCollection& collection;
   ModelCache& cache;
   std::uint64_t seed = 1;
+  SignatureKind signature = SignatureKind::mdbd_100;  ///< the one that is measured
 };
 
 /// The models of a collection that could be described as they are.
 struct CleanModels {
-  std::vector<LabelledModel> models;         ///< ordered by class, then by name
-  std::vector<DescribedModel> descriptions;  ///< one for each model
+  std::vector<LabelledModel> models;  ///< ordered by class, then by name
+  /// One for each model; the descriptor is its vector of the signature that is measured.
+  std::vector<DescribedModel> descriptions;
 };
+
+/// Describes models under a variant; the descriptors are vectors of the signature that is measured.
+/// @throws as ModelCache::describe
+DescribedModels describe_models(const EvaluationInput& input, std::span<const LabelledModel> models,
+                                const Variant& variant);
 
 /// @throws as ModelCache::describe, and InvalidInput if no model could be described
 CleanModels describe_clean_models(const EvaluationInput& input);
 
-/// The similarity distances between all models (paper, section 5.2).
-DistanceMatrix similarity_matrix(const CleanModels& clean, const Recipe& recipe);
+/// The distances between all models by the signature that is measured.
+DistanceMatrix signature_matrix(const EvaluationInput& input, const CleanModels& clean);
 
 }  // namespace mdbd

@@ -32,7 +32,7 @@ ExitCode run(const mdbd::EvaluateArguments& arguments, const std::string& comman
   mdbd::RunConsole console(program, arguments.is_quiet);
   mdbd::ConsoleProgress progress(console);
   mdbd::ModelCache cache(arguments.cache, arguments.recipe, progress);
-  const mdbd::EvaluationInput input{collection, cache, arguments.seed};
+  const mdbd::EvaluationInput input{collection, cache, arguments.seed, arguments.signature};
   mdbd::Report report = arguments.make_report(input);
   console.finish();
   mdbd::finish_report(report, input, {command, std::string(mdbd::version())});

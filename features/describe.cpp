@@ -1,6 +1,7 @@
 #include "features/describe.h"
 
 #include "features/descriptor/compute_descriptor.h"
+#include "features/descriptor/fused_signature.h"
 
 namespace mdbd {
 
@@ -9,8 +10,11 @@ ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe) {
                                .representation = shape.representation,
                                .statistics = shape.statistics,
                                .decomposition = decompose_shape(shape, recipe),
-                               .descriptor = {}};
+                               .descriptor = {},
+                               .fused = {}};
   description.descriptor = compute_descriptor(description.decomposition, recipe);
+  description.fused =
+      compute_fused_signature(description.decomposition.balls, description.decomposition.scale);
   return description;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "features/core/descriptor.h"
 #include "features/core/recipe.h"
@@ -17,9 +18,10 @@ struct ShapeDescription {
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   BallDecomposition decomposition;
   Descriptor descriptor;
+  std::vector<float> fused;  ///< mdbd-fused
 };
 
-/// Decomposes a shape and computes its descriptor.
+/// Decomposes a shape and computes its signatures.
 /// @throws InvalidInput if it encloses nothing
 ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe);
 

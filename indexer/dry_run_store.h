@@ -31,6 +31,9 @@ class DryRunStore final : public ShapeStore {
   std::vector<StoredVector> vectors(std::string_view signature) const override {
     return store_ ? store_->vectors(signature) : std::vector<StoredVector>{};
   }
+  std::vector<std::int64_t> shapes_without(std::string_view signature) const override {
+    return store_ ? store_->shapes_without(signature) : std::vector<std::int64_t>{};
+  }
 
   std::int64_t put(const ShapeRecord&, const ShapeData&) override { return 0; }
   void touch(std::int64_t, std::uint64_t, std::int64_t) override {}

@@ -22,13 +22,19 @@ std::string format_index_json(const IndexSummary& summary, const std::filesystem
   for (const IndexFailure& failure : summary.failures) {
     failures.push_back({{"path", failure.path}, {"reason", failure.reason}});
   }
-  const ordered_json object = {
-      {"indexed", summary.indexed},    {"unchanged", summary.unchanged},
-      {"moved", summary.moved},        {"failed", summary.failures.size()},
-      {"removed", summary.removed},    {"gone", summary.gone},
-      {"left", summary.left},          {"interrupted", summary.is_interrupted},
-      {"dry_run", is_dry_run},         {"seconds", summary.seconds},
-      {"database", database.string()}, {"failures", std::move(failures)}};
+  const ordered_json object = {{"indexed", summary.indexed},
+                               {"unchanged", summary.unchanged},
+                               {"moved", summary.moved},
+                               {"failed", summary.failures.size()},
+                               {"removed", summary.removed},
+                               {"gone", summary.gone},
+                               {"completed", summary.completed},
+                               {"left", summary.left},
+                               {"interrupted", summary.is_interrupted},
+                               {"dry_run", is_dry_run},
+                               {"seconds", summary.seconds},
+                               {"database", database.string()},
+                               {"failures", std::move(failures)}};
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -44,6 +50,7 @@ std::string format_index_text(const IndexSummary& summary, const std::filesystem
   add("failed", summary.failures.size(), true);
   add(is_dry_run ? "to remove" : "removed", summary.removed, false);
   add("gone", summary.gone, false, "  (kept; --prune removes them)");
+  add("completed", summary.completed, false, "  (mdbd-fused computed from stored balls)");
   text += is_dry_run ? fmt::format("Nothing was written to {}", printable(database.string()))
                      : fmt::format("Database {}", printable(database.string()));
   return text +

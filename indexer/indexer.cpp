@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "collection/discover.h"
+#include "features/descriptor/fused_signature.h"
 
 namespace fs = std::filesystem;
 
@@ -48,6 +49,7 @@ class IndexRun {
     for (const UnusablePath& unusable : found_.unusable) store_unusable(unusable);
     process_pending();
     if (!summary_.is_interrupted) treat_vanished();
+    if (!summary_.is_interrupted) complete_signatures();
     std::ranges::sort(summary_.failures, {}, &IndexFailure::path);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - found_.started;
     summary_.seconds = elapsed.count();
@@ -216,6 +218,20 @@ class IndexRun {
       } else if (is_gone(path)) {
         ++summary_.gone;
       }
+    }
+  }
+
+  /// What is done is stored at once, as with the models.
+  void complete_signatures() {
+    for (const std::int64_t id : store_.shapes_without(stored_mdbd_fused)) {
+      summary_.is_interrupted = observer_.is_interrupted();
+      if (summary_.is_interrupted) return;
+      const std::optional<ShapeRecord> record = store_.find(id);
+      if (!record) continue;
+      store_.put_vector(id, stored_mdbd_fused,
+                        compute_fused_signature(store_.data(id).balls, record->scale));
+      ++summary_.completed;
+      observer_.on_wait();
     }
   }
 

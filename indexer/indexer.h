@@ -33,6 +33,7 @@ struct IndexSummary {
   std::size_t removed = 0;    ///< records removed: their files are gone
   std::size_t gone = 0;       ///< records kept although their files are gone
   std::size_t left = 0;       ///< models not looked at, if the run was interrupted
+  std::size_t completed = 0;  ///< models that gained the signature mdbd-fused from their balls
   bool is_interrupted = false;
   double seconds = 0.0;                ///< since the search for files began
   std::vector<IndexFailure> failures;  ///< old and new, ordered by path
@@ -61,6 +62,9 @@ class IndexObserver {
 ///
 /// Each model is stored as soon as it is computed, so that a killed run loses only the models in
 /// flight. Records do not depend on the number of jobs, but the ids of new ones may.
+///
+/// At the end all models of the store that have no mdbd-fused, such as those of a database made
+/// before there was one, gain it from their stored balls.
 /// @throws IoError if no process can be started
 /// @throws StoreError if the store fails
 IndexSummary run_index(const Discovery& found, const IndexOptions& options,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "features/core/signature.h"
 #include "query/exact_search.h"
 #include "store/shape_store.h"
 
@@ -14,6 +15,8 @@ namespace mdbd {
 struct QueryAnswer {
   std::string query;  ///< the path of the file or of the indexed model
   SearchResult result;
+  /// Models whose vector was computed from their balls: the database is older than the signature.
+  std::size_t completed = 0;
 };
 
 /// The models of a collection that look most like a shape file. The file is described by the recipe
@@ -22,12 +25,13 @@ struct QueryAnswer {
 /// used
 /// @throws StoreError if the collection cannot be read
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          std::size_t count);
+                          std::size_t count, SignatureKind signature = SignatureKind::mdbd_100);
 
 /// The models of a collection that look most like one of its own, which is among them. Needs no
 /// file: the vector is the stored one.
 /// @throws InvalidInput if there is no such model or it failed when it was indexed
 /// @throws StoreError if the collection cannot be read
-QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, std::size_t count);
+QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, std::size_t count,
+                        SignatureKind signature = SignatureKind::mdbd_100);
 
 }  // namespace mdbd

@@ -40,16 +40,16 @@ class SmallestTotals {
 
 struct ExactSearch::Candidate {
   std::size_t row;
-  SimilarityDistance distance;
+  double distance;
 };
 
-ExactSearch::ExactSearch(std::vector<StoredVector> collection, int radius_count, double walk_weight)
+ExactSearch::ExactSearch(std::vector<StoredVector> collection,
+                         std::unique_ptr<const SignatureMetric> metric)
     : collection_(std::move(collection)),
-      radius_count_(radius_count),
-      walk_weight_(walk_weight),
+      metric_(std::move(metric)),
       neighbours_(index_collection()) {
   for (const StoredVector& vector : collection_) {
-    largest_norm_ = std::max(largest_norm_, norm(weighted(vector.values)));
+    largest_norm_ = std::max(largest_norm_, norm(metric_->point(vector.values)));
   }
 }
 
@@ -58,32 +58,23 @@ NearestNeighbours ExactSearch::index_collection() const {
   std::vector<float> values;
   values.reserve(collection_.size() * dimension);
   for (const StoredVector& vector : collection_) {
-    if (vector.values.size() != dimension ||
-        vector.values.size() < static_cast<std::size_t>(radius_count_)) {
+    if (vector.values.size() != dimension || vector.values.size() < metric_->least_size()) {
       throw InvalidInput(vector.path + ": its vector has " + std::to_string(vector.values.size()) +
                          " numbers, which does not fit the collection");
     }
-    const std::vector<float> row = weighted(vector.values);
+    const std::vector<float> row = metric_->point(vector.values);
     values.insert(values.end(), row.begin(), row.end());
   }
-  return {std::move(values), dimension};
+  return {std::move(values), dimension, metric_->norm()};
 }
 
-std::vector<float> ExactSearch::weighted(std::span<const float> values) const {
-  std::vector<float> result(values.begin(), values.end());
-  for (std::size_t i = static_cast<std::size_t>(radius_count_); i < result.size(); ++i) {
-    result[i] = static_cast<float>(walk_weight_ * result[i]);
-  }
-  return result;
-}
-
-// What the similarity distance of a vector at this L2 is at least, rounding considered. L2 is a sum
-// of squares in single precision: its relative error is below half of `relative`. Weighting rounds
-// each vector by at most half an epsilon of its norm, whatever their difference is.
-double ExactSearch::lower_bound(double euclidean_distance, double query_norm) const {
+// What the distance of a vector whose point is at this distance is at least, rounding considered.
+// The norm is a sum in single precision: its relative error is below half of `relative`. A point
+// may be rounded by half an epsilon of its norm, whatever their difference is.
+double ExactSearch::lower_bound(double point_distance, double query_norm) const {
   constexpr double epsilon = std::numeric_limits<float>::epsilon();
   const double relative = epsilon * static_cast<double>(collection_.front().values.size() + 8);
-  return euclidean_distance * (1.0 - relative) - epsilon * (query_norm + largest_norm_);
+  return point_distance * (1.0 - relative) - epsilon * (query_norm + largest_norm_);
 }
 
 SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) const {
@@ -92,7 +83,8 @@ SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) co
   result.collection_size = collection_.size();
   result.exact = collection_.empty();
   const std::size_t count = std::min(k, collection_.size());
-  const std::vector<float> point = weighted(query);
+  result.part_names = metric_->part_names();
+  const std::vector<float> point = metric_->point(query);
   const double query_norm = norm(point);
   std::vector<Candidate> candidates;
   SmallestTotals smallest(count);
@@ -104,24 +96,25 @@ SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) co
         result.exact = true;
       } else {
         candidates.push_back(examine(query, neighbours[i].row));
-        smallest.add(candidates.back().distance.total);
+        smallest.add(candidates.back().distance);
       }
     }
     result.exact = result.exact || candidates.size() == collection_.size();
   }
   result.examined = candidates.size();
-  result.matches = best_matches(std::move(candidates), count);
+  result.matches = best_matches(query, std::move(candidates), count);
   return result;
 }
 
 ExactSearch::Candidate ExactSearch::examine(std::span<const float> query, std::size_t row) const {
-  return {row, similarity_distance(query, collection_[row].values, radius_count_, walk_weight_)};
+  return {row, metric_->distance(query, collection_[row].values)};
 }
 
-std::vector<Match> ExactSearch::best_matches(std::vector<Candidate> candidates,
+std::vector<Match> ExactSearch::best_matches(std::span<const float> query,
+                                             std::vector<Candidate> candidates,
                                              std::size_t count) const {
   const auto is_better = [&](const Candidate& a, const Candidate& b) {
-    if (a.distance.total != b.distance.total) return a.distance.total < b.distance.total;
+    if (a.distance != b.distance) return a.distance < b.distance;
     return collection_[a.row].path < collection_[b.row].path;
   };
   std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
@@ -131,7 +124,8 @@ std::vector<Match> ExactSearch::best_matches(std::vector<Candidate> candidates,
   matches.reserve(count);
   for (const Candidate& candidate : candidates) {
     const StoredVector& model = collection_[candidate.row];
-    matches.push_back({model.shape_id, model.path, model.scale, candidate.distance});
+    matches.push_back({model.shape_id, model.path, model.scale, candidate.distance,
+                       metric_->parts(query, model.values)});
   }
   return matches;
 }

@@ -14,6 +14,8 @@ constexpr const char* examples = R"(Examples:
   mdbd-query chair.ply                      the ten models most like chair.ply
   mdbd-query chair.ply --top 3 --db parts.db
   mdbd-query --id 17 --json                 by a model of the database, for programs
+  mdbd-query chair.ply --signature mdbd-fused --explain
+                                            by where the balls are, with what makes the difference
 
 The answer is exact: no model of the database that is not listed is nearer.
 Exit codes: 0 done, 1 failed, 2 wrong usage.)";
@@ -23,17 +25,25 @@ struct Arguments {
   std::filesystem::path database;
   std::int64_t id = 0;
   std::size_t top = 10;
+  mdbd::SignatureKind signature = mdbd::SignatureKind::mdbd_100;
+  bool is_explained = false;
   bool is_json = false;
   bool is_csv = false;
 };
 
-void print_note(const mdbd::SearchResult& result) {
+void print_note(const mdbd::QueryAnswer& answer) {
+  const mdbd::SearchResult& result = answer.result;
   if (result.collection_size == 0) {
     fmt::print(stderr, "The database holds no models; add some with mdbd-index.\n");
     return;
   }
   fmt::print(stderr, "Compared with {} model{}; the answer is {}.\n", result.collection_size,
              result.collection_size == 1 ? "" : "s", result.exact ? "exact" : "approximate");
+  if (answer.completed > 0) {
+    fmt::print(stderr,
+               "{} of them had no mdbd-fused in the database; run mdbd-index to store it.\n",
+               answer.completed);
+  }
 }
 
 void print_answer(const mdbd::QueryAnswer& answer, const Arguments& arguments) {
@@ -43,9 +53,10 @@ void print_answer(const mdbd::QueryAnswer& answer, const Arguments& arguments) {
   }
   fmt::print("{}", arguments.is_csv
                        ? mdbd::format_csv(answer.result)
-                       : mdbd::format_table(answer.result, std::filesystem::current_path()));
+                       : mdbd::format_table(answer.result, std::filesystem::current_path(),
+                                            arguments.is_explained));
   std::fflush(stdout);  // so that the note follows the answer where both go to one place
-  print_note(answer.result);
+  print_note(answer);
 }
 
 }  // namespace
@@ -63,15 +74,20 @@ int main(int argc, char** argv) {
       ->type_name("N")
       ->capture_default_str();
   mdbd::add_database_option(app, arguments.database);
-  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object");
-  app.add_flag("--csv", arguments.is_csv, "Print CSV")->excludes(json);
+  mdbd::add_signature_option(app, arguments.signature);
+  auto* explain = app.add_flag("--explain", arguments.is_explained,
+                               "Show how much of each distance each part of the signature makes");
+  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object")->excludes(explain);
+  app.add_flag("--csv", arguments.is_csv, "Print CSV")->excludes(json)->excludes(explain);
 
   return mdbd::run_program(app, argc, argv, [&] {
     if (model->empty() && id->empty()) throw CLI::RequiredError("MODEL or --id");
     const auto store = mdbd::open_store_read_only(arguments.database);
-    print_answer(id->empty() ? mdbd::query_by_file(*store, arguments.model, arguments.top)
-                             : mdbd::query_by_id(*store, arguments.id, arguments.top),
-                 arguments);
+    print_answer(
+        id->empty()
+            ? mdbd::query_by_file(*store, arguments.model, arguments.top, arguments.signature)
+            : mdbd::query_by_id(*store, arguments.id, arguments.top, arguments.signature),
+        arguments);
     return mdbd::ExitCode::done;
   });
 }

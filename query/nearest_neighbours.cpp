@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/linear_index.h>
@@ -32,22 +34,30 @@ std::size_t row_count(const std::vector<float>& values, std::size_t dimension) {
 }  // namespace
 
 struct NearestNeighbours::Index {
-  Index(std::vector<float> vectors, std::size_t vector_dimension)
+  Index(std::vector<float> vectors, std::size_t vector_dimension, PointNorm point_norm)
       : values(std::move(vectors)),
         dimension(vector_dimension),
         rows(row_count(values, dimension)),
-        linear(flann::Matrix<float>(values.data(), rows, dimension)) {
+        norm(point_norm) {
     require_usable(values);
+    const flann::Matrix<float> matrix(values.data(), rows, dimension);
+    if (norm == PointNorm::l1) linear.emplace<flann::LinearIndex<flann::L1<float>>>(matrix);
+    if (norm == PointNorm::l2) linear.emplace<flann::LinearIndex<flann::L2<float>>>(matrix);
   }
 
   std::vector<float> values;
   std::size_t dimension;
   std::size_t rows;
-  flann::LinearIndex<flann::L2<float>> linear;  // points into values
+  PointNorm norm;
+  /// Points into values.
+  std::variant<std::monostate, flann::LinearIndex<flann::L1<float>>,
+               flann::LinearIndex<flann::L2<float>>>
+      linear;
 };
 
-NearestNeighbours::NearestNeighbours(std::vector<float> values, std::size_t dimension)
-    : index_(std::make_unique<Index>(std::move(values), dimension)) {}
+NearestNeighbours::NearestNeighbours(std::vector<float> values, std::size_t dimension,
+                                     PointNorm norm)
+    : index_(std::make_unique<Index>(std::move(values), dimension, norm)) {}
 
 NearestNeighbours::~NearestNeighbours() = default;
 NearestNeighbours::NearestNeighbours(NearestNeighbours&&) noexcept = default;
@@ -70,12 +80,19 @@ std::vector<Neighbour> NearestNeighbours::search(std::span<const float> query,
   flann::SearchParams params;
   params.use_heap = flann::FLANN_True;  // the result set that orders equal distances by row
   std::vector<std::vector<std::size_t>> rows;
-  std::vector<std::vector<float>> squared_distances;
-  index_->linear.knnSearch(queries, rows, squared_distances, count, params);
+  std::vector<std::vector<float>> distances;
+  std::visit(
+      [&](auto& linear) {
+        if constexpr (!std::is_same_v<decltype(linear), std::monostate&>) {
+          linear.knnSearch(queries, rows, distances, count, params);
+        }
+      },
+      index_->linear);
 
   std::vector<Neighbour> neighbours(rows[0].size());
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    neighbours[i] = {rows[0][i], std::sqrt(static_cast<double>(squared_distances[0][i]))};
+    const double distance = distances[0][i];  // FLANN's L2 is squared
+    neighbours[i] = {rows[0][i], index_->norm == PointNorm::l2 ? std::sqrt(distance) : distance};
   }
   return neighbours;
 }

@@ -7,13 +7,19 @@
 
 namespace mdbd {
 
+/// The length of a difference of vectors.
+enum class PointNorm {
+  l1,  ///< sum of the absolute values
+  l2   ///< Euclidean
+};
+
 /// A row of a NearestNeighbours with its distance to the query.
 struct Neighbour {
   std::size_t row = 0;
-  double distance = 0.0;  ///< Euclidean, not squared; computed in single precision
+  double distance = 0.0;  ///< the norm of the difference; computed in single precision
 };
 
-/// Exact Euclidean nearest neighbours over a fixed set of vectors. A thin wrapper over FLANN's
+/// Exact nearest neighbours over a fixed set of vectors. A thin wrapper over FLANN's
 /// linear index: deterministic, without build time. Thread-safe once built.
 class NearestNeighbours {
  public:
@@ -24,7 +30,8 @@ class NearestNeighbours {
   /// @throws InvalidInput if dimension is 0, values is no whole number of vectors, or a value is
   /// not
   ///         finite or above largest_component
-  NearestNeighbours(std::vector<float> values, std::size_t dimension);
+  NearestNeighbours(std::vector<float> values, std::size_t dimension,
+                    PointNorm norm = PointNorm::l2);
   ~NearestNeighbours();
   NearestNeighbours(NearestNeighbours&&) noexcept;
   NearestNeighbours& operator=(NearestNeighbours&&) noexcept;

@@ -10,10 +10,14 @@ namespace mdbd {
 /// A table of rank, distance and path for people, one line a match below a header line; empty if
 /// there are no matches. Paths below `directory` are shown relative to it. Every path is shown on
 /// one line, as printable() does.
-std::string format_table(const SearchResult& result, const std::filesystem::path& directory);
+/// @param is_explained whether to show how much of each distance each of its parts makes, in per
+///        cent
+std::string format_table(const SearchResult& result, const std::filesystem::path& directory,
+                         bool is_explained = false);
 
-/// {"query", "exact", "matches": [{"rank", "id", "path", "distance", "radii_distance",
-/// "walk_distance", "scale"}]}, with a line end. Bytes of a path that are no UTF-8 become U+FFFD.
+/// {"query", "exact", "matches": [{"rank", "id", "path", "distance", "PART_distance"
+/// for each part of the distance, "scale"}]}, with a line end. Bytes of a path that are no UTF-8
+/// become U+FFFD.
 std::string format_json(const QueryAnswer& answer);
 
 /// The fields of a match in format_json as CSV (RFC 4180 with plain line feeds) below a header

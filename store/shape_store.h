@@ -53,7 +53,7 @@ class ShapeStore {
   /// Removes a model with its data; does nothing if it is not there.
   virtual void remove(std::int64_t id) = 0;
 
-  /// Vector and balls of one model; empty vectors if it failed.
+  /// Vectors and balls of one model; all empty if it failed.
   virtual ShapeData data(std::int64_t id) const = 0;
 
   /// Stores one more signature of an indexed model, in place of what was stored under its name. It
@@ -62,6 +62,9 @@ class ShapeStore {
   /// @throws StoreError also if a precondition does not hold or there is no such model
   virtual void put_vector(std::int64_t id, std::string_view signature,
                           std::span<const float> values) = 0;
+
+  /// The indexed models that have no vector of a signature, ordered by path.
+  virtual std::vector<std::int64_t> shapes_without(std::string_view signature) const = 0;
 
   /// All vectors of a signature, ordered by path; of one state of the collection, even if another
   /// process writes meanwhile.

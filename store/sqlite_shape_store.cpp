@@ -136,16 +136,28 @@ void SqliteShapeStore::put_vector(std::int64_t id, std::string_view signature,
 ShapeData SqliteShapeStore::data(std::int64_t id) const {
   const Transaction reading(database_, Transaction::Kind::reading);
   Statement row(database_,
-                "SELECT s.path, s.status, v.\"values\", b.\"values\" FROM shapes s"
+                "SELECT s.path, s.status, v.\"values\", b.\"values\", f.\"values\" FROM shapes s"
                 " LEFT JOIN vectors v ON v.shape_id = s.id AND v.signature = ?"
+                " LEFT JOIN vectors f ON f.shape_id = s.id AND f.signature = ?"
                 " LEFT JOIN balls b ON b.shape_id = s.id WHERE s.id = ?");
-  row.bind(signature_mdbd_100, id);
+  row.bind(signature_mdbd_100, stored_mdbd_fused, id);
   if (!row.step()) {
     throw StoreError(database_.path().string() + ": holds no model " + std::to_string(id));
   }
   if (row.text(1) != to_string(ShapeStatus::indexed)) return {};
   const std::string path = row.text(0);
-  return {read_balls(row.bytes(3), path), read_signature(row.bytes(2), path)};
+  return {read_balls(row.bytes(3), path), read_signature(row.bytes(2), path),
+          read_vector(row.bytes(4), path)};
+}
+
+std::vector<std::int64_t> SqliteShapeStore::shapes_without(std::string_view signature) const {
+  std::vector<std::int64_t> result;
+  Statement row(database_,
+                "SELECT id FROM shapes WHERE status = ? AND NOT EXISTS (SELECT 1 FROM vectors"
+                " WHERE shape_id = shapes.id AND signature = ?) ORDER BY path");
+  row.bind(to_string(ShapeStatus::indexed), signature);
+  while (row.step()) result.push_back(row.integer(0));
+  return result;
 }
 
 // One statement sees one state of the database, however long it runs and whoever writes meanwhile.
@@ -244,7 +256,9 @@ void SqliteShapeStore::check_can_be_stored(const ShapeRecord& record, const Shap
     refuse("its vector has " + std::to_string(data.signature.size()) + " numbers instead of " +
            std::to_string(signature_size()));
   }
-  if (!all_finite(data.signature)) refuse("a number of its vector is not finite");
+  if (!all_finite(data.signature) || !all_finite(data.fused)) {
+    refuse("a number of its vector is not finite");
+  }
   if (!all_finite(data.balls)) refuse("a number of its balls is not finite");
 }
 
@@ -263,13 +277,19 @@ std::int64_t SqliteShapeStore::put_record(const ShapeRecord& record) {
 }
 
 void SqliteShapeStore::put_data(std::int64_t id, const ShapeData& data) {
-  const Blob vector = encode_floats(data.signature);
-  Statement(database_, "INSERT INTO vectors (shape_id, signature, \"values\") VALUES (?, ?, ?)")
-      .bind(id, signature_mdbd_100, std::span<const std::byte>(vector))
-      .run();
+  insert_vector(id, signature_mdbd_100, data.signature);
+  if (!data.fused.empty()) insert_vector(id, stored_mdbd_fused, data.fused);
   const Blob balls = encode_balls(data.balls);
   Statement(database_, "INSERT INTO balls (shape_id, \"values\") VALUES (?, ?)")
       .bind(id, std::span<const std::byte>(balls))
+      .run();
+}
+
+void SqliteShapeStore::insert_vector(std::int64_t id, std::string_view signature,
+                                     std::span<const float> values) {
+  const Blob vector = encode_floats(values);
+  Statement(database_, "INSERT INTO vectors (shape_id, signature, \"values\") VALUES (?, ?, ?)")
+      .bind(id, signature, std::span<const std::byte>(vector))
       .run();
 }
 

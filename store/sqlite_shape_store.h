@@ -23,6 +23,7 @@ class SqliteShapeStore : public ShapeStore {
   void remove(std::int64_t id) override;
   void put_vector(std::int64_t id, std::string_view signature,
                   std::span<const float> values) override;
+  std::vector<std::int64_t> shapes_without(std::string_view signature) const override;
   ShapeData data(std::int64_t id) const override;
   std::vector<StoredVector> vectors(std::string_view signature) const override;
 
@@ -37,6 +38,7 @@ class SqliteShapeStore : public ShapeStore {
   void check_can_be_stored(const ShapeRecord& record, const ShapeData& data) const;
   std::int64_t put_record(const ShapeRecord& record);
   void put_data(std::int64_t id, const ShapeData& data);
+  void insert_vector(std::int64_t id, std::string_view signature, std::span<const float> values);
   void require_changed(std::int64_t id) const;
   void require_in_place() const;
   [[noreturn]] void fail_damaged(const std::string& what) const;

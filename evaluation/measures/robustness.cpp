@@ -6,7 +6,6 @@
 
 #include "evaluation/measures/statistics.h"
 #include "features/core/errors.h"
-#include "features/descriptor/similarity_distance.h"
 
 namespace mdbd {
 namespace {
@@ -54,7 +53,7 @@ std::optional<double> relative_to_neighbours(double displacement,
 
 ModelRobustness measure_model(const RobustnessInput& input, std::size_t model) {
   const auto to_all = [&](const std::vector<float>& descriptor) {
-    return distances_to(input.clean, descriptor, input.radius_count, input.walk_weight);
+    return distances_to(input.clean, descriptor, input.terms);
   };
   const std::vector<double> before = to_all(input.clean[model]);
   const std::vector<double> after = to_all(*input.varied[model]);
@@ -118,12 +117,12 @@ void add_shifts(const RobustnessInput& input, Robustness& result) {
 }  // namespace
 
 std::vector<double> distances_to(std::span<const std::vector<float>> others,
-                                 const std::vector<float>& descriptor, int radius_count,
-                                 double walk_weight) {
+                                 const std::vector<float>& descriptor,
+                                 std::span<const DistanceTerm> terms) {
   std::vector<double> distances;
   distances.reserve(others.size());
   for (const std::vector<float>& other : others) {
-    distances.push_back(similarity_distance(descriptor, other, radius_count, walk_weight).total);
+    distances.push_back(vector_distance(descriptor, other, terms));
   }
   return distances;
 }

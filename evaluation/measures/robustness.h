@@ -6,18 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/measures/vector_distance.h"
+
 /// How well models are found again after a change: noise, another pose, fewer faces (paper,
 /// section 5.2, Figure 13). Every changed model is a query to the collection of the unchanged ones.
-/// "Distance" is the similarity distance.
+/// "Distance" is that of the signature.
 namespace mdbd {
 
-/// Descriptors laid out as Descriptor::values.
+/// Descriptors are vectors of one signature.
 struct RobustnessInput {
   std::vector<std::vector<float>> clean;                  ///< of each model
   std::vector<std::string> labels;                        ///< the class of each model
   std::vector<std::optional<std::vector<float>>> varied;  ///< after the change; empty if it failed
-  int radius_count = 0;      ///< k, how many numbers of a descriptor are radii
-  double walk_weight = 1.0;  ///< alpha
+  std::vector<DistanceTerm> terms;                        ///< of the distance
 };
 
 /// How one changed model fared.
@@ -54,8 +55,8 @@ struct Robustness {
 
 /// The distances of a descriptor to some others.
 std::vector<double> distances_to(std::span<const std::vector<float>> others,
-                                 const std::vector<float>& descriptor, int radius_count,
-                                 double walk_weight);
+                                 const std::vector<float>& descriptor,
+                                 std::span<const DistanceTerm> terms);
 
 /// @throws InvalidInput if the sizes differ or no changed model was described
 Robustness measure_robustness(const RobustnessInput& input);

@@ -10,6 +10,7 @@
 #include "features/core/errors.h"
 #include "features/core/random.h"
 #include "features/descriptor/compute_descriptor.h"
+#include "features/descriptor/fused_signature.h"
 
 using nlohmann::ordered_json;
 
@@ -31,16 +32,18 @@ void require_usable(const EvaluationInput& input, const ClassifyOptions& options
   }
 }
 
-/// mdbd-100 as a decomposition of no more balls would have it: the first balls do not depend on how
-/// many follow.
-void recompute_signatures(CleanModels& clean, const Recipe& recipe, int balls) {
+/// The signature as a decomposition of no more balls would have it: the first balls do not depend
+/// on how many follow.
+void recompute_signatures(CleanModels& clean, const EvaluationInput& input, int balls) {
   for (DescribedModel& model : clean.descriptions) {
     BallDecomposition decomposition;
     const auto count = std::min<std::size_t>(balls, model.balls.size());
     decomposition.balls.assign(model.balls.begin(),
                                model.balls.begin() + static_cast<std::ptrdiff_t>(count));
     decomposition.scale = model.scale;
-    model.descriptor = compute_descriptor(decomposition, recipe).values;
+    model.descriptor = input.signature == SignatureKind::mdbd_100
+                           ? compute_descriptor(decomposition, input.cache.recipe()).values
+                           : compute_fused_signature(decomposition.balls, decomposition.scale);
   }
 }
 
@@ -161,10 +164,11 @@ ClassificationComparison compare_classifiers(const EvaluationInput& input,
   const Recipe& recipe = input.cache.recipe();
   const int signature_balls = std::min(Recipe{}.balls, recipe.balls);
   CleanModels clean = describe_clean_models(input);
-  recompute_signatures(clean, recipe, signature_balls);
+  recompute_signatures(clean, input, signature_balls);
   ClassificationComparison comparison = gather_models(clean, recipe);
   comparison.paper_balls = recipe.balls;
   comparison.signature_balls = signature_balls;
+  comparison.signature = std::string(to_string(input.signature));
   for (int i = 0; i < options.runs; ++i) {
     const std::uint64_t seed = derive_seed(input.seed, fmt::format("classify, run {}", i + 1));
     comparison.runs.push_back({seed, split_at_random(clean.models.size(), seed)});
@@ -176,14 +180,14 @@ ClassificationComparison compare_classifiers(const EvaluationInput& input,
   }
   const std::vector<std::string> names{
       fmt::format("network, paper's {} features", comparison.paper_features.front().size()),
-      fmt::format("network, {}", signature_mdbd_100)};
+      "network, " + comparison.signature};
   const std::vector<Rows> features{comparison.paper_features, std::move(signatures)};
   std::vector<Predictions> predictions = run_networks(input, options, comparison, names, features);
   for (std::size_t i = 0; i < names.size(); ++i) {
     comparison.methods.push_back({names[i], std::move(predictions[i])});
   }
-  const DistanceMatrix distances = similarity_matrix(clean, recipe);
-  ClassificationMethod neighbour{fmt::format("nearest neighbour, {}", signature_mdbd_100), {}};
+  const DistanceMatrix distances = signature_matrix(input, clean);
+  ClassificationMethod neighbour{"nearest neighbour, " + comparison.signature, {}};
   ClassificationMethod largest{"largest class", {}};
   for (const ClassificationRun& run : comparison.runs) {
     neighbour.predicted.push_back(predict_by_neighbour(comparison, distances, run.parts));

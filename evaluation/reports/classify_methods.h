@@ -33,17 +33,18 @@ struct ClassificationComparison {
   std::vector<std::string> classes;
   std::vector<std::size_t> labels;  ///< of the models: indices into classes
   std::vector<std::vector<double>> paper_features;
-  std::vector<std::vector<float>> signatures;  ///< mdbd-100
-  int paper_balls = 0;                         ///< from how many balls the paper's features are
-  int signature_balls = 0;                     ///< from how many mdbd-100 is
+  std::string signature;  ///< the name of the one that is measured
+  std::vector<std::vector<float>> signatures;
+  int paper_balls = 0;      ///< from how many balls the paper's features are
+  int signature_balls = 0;  ///< from how many the signature is
   std::vector<ClassificationRun> runs;
-  /// The network on the paper's features, the network on mdbd-100, the nearest neighbour by the
-  /// similarity distance, the largest class.
+  /// The network on the paper's features, the network on the signature, the nearest neighbour by
+  /// the signature's distance, the largest class.
   std::vector<ClassificationMethod> methods;
 };
 
-/// Trains and predicts. mdbd-100 is computed from as many balls as a recipe has by default, however
-/// many there are.
+/// Trains and predicts. The signature is computed from as many balls as a recipe has by default,
+/// however many there are.
 /// @throws as ModelCache::describe and ModelCache::run, and InvalidInput if the recipe has fewer
 ///         balls than the features need, there are fewer than two classes or seven models, `runs`
 ///         is not positive, or a training failed

@@ -234,10 +234,11 @@ ordered_json to_json(const ClassificationComparison& comparison,
                       {"class", comparison.models[i].label},
                       {"label", comparison.labels[i]},
                       {"paper_features", comparison.paper_features[i]},
-                      {"mdbd-100", comparison.signatures[i]}});
+                      {comparison.signature, comparison.signatures[i]}});
   }
   return {{"paper_overall_accuracy", paper_accuracy},
           {"paper_feature_balls", comparison.paper_balls},
+          {"signature", comparison.signature},
           {"signature_balls", comparison.signature_balls},
           {"similarity_distance",
            {{"radii", recipe.descriptor_balls}, {"walk_weight", recipe.walk_weight}}},
@@ -268,7 +269,7 @@ std::string summarise(const ClassificationComparison& comparison,
       "{}; the nearest neighbour for {} %, the largest class for {} % (test parts of {} runs). "
       "Over all three parts, as the paper counts, it is right for {} % with the paper's features; "
       "the paper states {} %.",
-      on_test(paper_network), on_test(own_network), signature_mdbd_100, on_test(neighbour),
+      on_test(paper_network), on_test(own_network), comparison.signature, on_test(neighbour),
       on_test(neighbour + 1), comparison.runs.size(),
       percent(spread_of(methods[paper_network].overall).mean), percent(paper_accuracy));
 }

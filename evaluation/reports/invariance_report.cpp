@@ -136,10 +136,12 @@ std::vector<std::string> face_notes(const VariedByChange& study) {
   return notes;
 }
 
-ordered_json to_json(const VariedByChange& study, const Recipe& recipe, std::uint64_t seed) {
+ordered_json to_json(const VariedByChange& study, const EvaluationInput& input) {
+  const Recipe& recipe = input.cache.recipe();
   ordered_json changes = ordered_json::array();
   for (const VariedModels& varied : study.varied) changes.push_back(to_json(study.clean, varied));
-  return {{"seed", seed},
+  return {{"seed", input.seed},
+          {"signature", to_string(input.signature)},
           {"radius_count", recipe.descriptor_balls},
           {"walk_weight", recipe.walk_weight},
           {"changes", std::move(changes)},
@@ -175,7 +177,7 @@ Report make_invariance_report(const EvaluationInput& input, const InvarianceOpti
                      displacement_section(study),
                      {"Models that moved the furthest",
                       {worst_models_table(study.clean, study.varied, options.worst)}}};
-  report.data = to_json(study, input.cache.recipe(), input.seed);
+  report.data = to_json(study, input);
   return report;
 }
 

@@ -8,7 +8,9 @@
 
 #include "evaluation/reports/class_bands.h"
 #include "evaluation/reports/varied_models.h"
+#include "evaluation/signature_terms.h"
 #include "features/core/errors.h"
+#include "features/descriptor/fused_signature.h"
 
 using nlohmann::ordered_json;
 
@@ -25,6 +27,7 @@ struct NoiseStudy {
   std::vector<VariedModels> noisy;  ///< one for each level
   std::vector<std::size_t> queries;
   Recipe recipe;
+  SignatureKind signature = SignatureKind::mdbd_100;
 };
 
 /// A query's distances to all models.
@@ -78,10 +81,11 @@ NoiseStudy study_noise(const EvaluationInput& input, const NoiseOptions& options
   require_usable(options);
   NoiseStudy study;
   study.recipe = input.cache.recipe();
+  study.signature = input.signature;
   study.clean = describe_clean_models(input);
   study.queries = options.queries.empty() ? choose_queries(study.clean)
                                           : find_queries(study.clean, options.queries);
-  study.unvaried = unvaried_models(study.clean, study.recipe);
+  study.unvaried = unvaried_models(input, study.clean);
   study.levels = options.levels;
   for (const double level : options.levels) {
     study.noisy.push_back(describe_varied(input, study.clean, noise_perturbation(level)));
@@ -92,8 +96,9 @@ NoiseStudy study_noise(const EvaluationInput& input, const NoiseOptions& options
 QueryDistances distances_of(const NoiseStudy& study, std::size_t query) {
   std::vector<std::vector<float>> clean;
   for (const DescribedModel& model : study.clean.descriptions) clean.push_back(model.descriptor);
+  const std::vector<DistanceTerm> terms = signature_terms(study.signature, study.recipe);
   const auto distances = [&](const std::vector<float>& descriptor) {
-    return distances_to(clean, descriptor, study.recipe.descriptor_balls, study.recipe.walk_weight);
+    return distances_to(clean, descriptor, terms);
   };
   QueryDistances result{.clean = distances(clean[query]), .noisy = {}};
   for (const VariedModels& varied : study.noisy) {
@@ -139,12 +144,22 @@ Section score_section(const NoiseStudy& study) {
                  "90 % of the models stay below."}}};
 }
 
+std::string number_label(const NoiseStudy& study) {
+  if (study.signature == SignatureKind::mdbd_100) {
+    return fmt::format("number of the descriptor: 1 to {} are radii, the others walk sums",
+                       study.recipe.descriptor_balls);
+  }
+  std::string label = "number of the signature:";
+  for (const SignaturePart& part : fused_parts) {
+    label += fmt::format(" {} from {}", part.name, part.first + 1);
+  }
+  return label;
+}
+
 LineChart shift_chart(const NoiseStudy& study, std::string caption, std::string y_label,
                       std::vector<double> Robustness::*shift) {
   LineChart chart{.caption = std::move(caption),
-                  .x_label = fmt::format("number of the descriptor: 1 to {} are radii, the others "
-                                         "walk sums",
-                                         study.recipe.descriptor_balls),
+                  .x_label = number_label(study),
                   .y_label = std::move(y_label),
                   .series = {}};
   for (const VariedModels& varied : study.noisy) {
@@ -187,7 +202,7 @@ std::string query_caption(const NoiseStudy& study, std::size_t query) {
 BarChart query_chart(const NoiseStudy& study, std::size_t query) {
   const QueryDistances distances = distances_of(study, query);
   BarChart chart{.caption = query_caption(study, query),
-                 .y_label = "similarity distance",
+                 .y_label = "distance",
                  .categories = {},
                  .bands = class_bands(study.clean.models),
                  .series = {{"clean", distances.clean}}};
@@ -231,6 +246,7 @@ ordered_json to_json(const NoiseStudy& study, std::uint64_t seed) {
   ordered_json queries = ordered_json::array();
   for (const std::size_t query : study.queries) queries.push_back(query_to_json(study, query));
   return {{"seed", seed},
+          {"signature", to_string(study.signature)},
           {"radius_count", study.recipe.descriptor_balls},
           {"walk_weight", study.recipe.walk_weight},
           {"clean_class_accuracy", study.unvaried.robustness->class_accuracy
@@ -244,7 +260,8 @@ ordered_json to_json(const NoiseStudy& study, std::uint64_t seed) {
 // ---- In words ----
 
 std::string summarise(const NoiseStudy& study) {
-  std::string text = fmt::format("Of {} models, ", study.clean.models.size());
+  std::string text =
+      fmt::format("By {}, of {} models ", to_string(study.signature), study.clean.models.size());
   for (const VariedModels& varied : study.noisy) {
     const bool is_first = &varied == &study.noisy.front();
     const std::string rate = varied.robustness ? percent_text(varied.robustness->self_first) : "0";

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include "evaluation/rivals/d2.h"
+#include "evaluation/rivals/distance_harmonics.h"
 #include "evaluation/rivals/esf.h"
 #include "evaluation/rivals/gasd.h"
-#include "features/core/descriptor.h"
+#include "evaluation/signature_terms.h"
 #include "features/core/errors.h"
+#include "features/descriptor/fused_signature.h"
 #include "features/shape_io/read_mesh.h"
 
 namespace fs = std::filesystem;
@@ -37,7 +39,11 @@ std::vector<Rival> list_rivals() {
           {"D2",
            fmt::format("{} bins up to {} means, {} pairs", d2_bins, d2_range, d2_pairs),
            compute_d2,
-           {.norm = VectorNorm::l1, .count = d2_bins}}};
+           {.norm = VectorNorm::l1, .count = d2_bins}},
+          {"SH of distances",
+           fmt::format("{} spheres, degree {}, Gaussian", distance_shells, distance_degree),
+           [](const TriangleMesh& mesh, std::uint64_t) { return compute_distance_harmonics(mesh); },
+           {.norm = VectorNorm::l1, .count = distance_harmonics_size}}};
 }
 
 SignatureVectors compute_rival(const EvaluationInput& input, const CleanModels& clean,
@@ -51,39 +57,46 @@ SignatureVectors compute_rival(const EvaluationInput& input, const CleanModels& 
 }
 
 void add_method(RetrievalComparison& comparison, std::string name,
-                const ComparedSignature& signature, std::vector<DistanceTerm> terms) {
+                const ComparedSignature& signature, std::vector<DistanceTerm> terms,
+                bool is_rival = false) {
   std::vector<std::string> labels;
   for (const LabelledModel& model : comparison.models) labels.push_back(model.label);
   DistanceMatrix distances = vector_distances(signature.vectors, terms);
   RetrievalMeasures measures = measure_retrieval(distances, labels);
-  comparison.methods.push_back({std::move(name), signature.name, std::move(terms),
+  comparison.methods.push_back({std::move(name), signature.name, is_rival, std::move(terms),
                                 std::move(distances), std::move(measures)});
 }
 
-/// mdbd-100 with the similarity distance (paper, section 5.2), and its parts.
-void add_mdbd_methods(RetrievalComparison& comparison, const Recipe& recipe) {
-  const auto radius_count = static_cast<std::size_t>(recipe.descriptor_balls);
-  const auto walk_count = static_cast<std::size_t>(recipe.walk_steps);
-  const DistanceTerm radii{.count = radius_count};
-  const DistanceTerm walk{.first = radius_count, .count = walk_count};
-  DistanceTerm weighted_walk = walk;
-  weighted_walk.weight = recipe.walk_weight;
-  const ComparedSignature& signature = comparison.signatures.front();
-  add_method(comparison, signature.name, signature, {radii, weighted_walk});
-  add_method(comparison, "radii alone", signature, {radii});
+constexpr std::size_t own_signatures = 2;
+
+/// mdbd-100 with the similarity distance (paper, section 5.2), its parts, and mdbd-fused.
+void add_own_methods(RetrievalComparison& comparison, const EvaluationInput& input) {
+  const Recipe& recipe = input.cache.recipe();
+  const std::vector<DistanceTerm> paper = signature_terms(SignatureKind::mdbd_100, recipe);
+  const ComparedSignature& signature = comparison.signatures[0];
+  add_method(comparison, signature.name, signature, paper);
+  add_method(comparison, "radii alone", signature, {paper[0]});
+  DistanceTerm walk = paper[1];
+  walk.weight = 1.0;
   add_method(comparison, "walk alone", signature, {walk});
+  const ComparedSignature& fused = comparison.signatures[1];
+  add_method(comparison, fused.name, fused, signature_terms(SignatureKind::mdbd_fused, recipe));
+  if (input.signature == SignatureKind::mdbd_fused) comparison.measured = 3;
 }
 
 }  // namespace
 
 RetrievalComparison compare_retrieval(const EvaluationInput& input, bool has_rivals) {
-  const CleanModels clean = describe_clean_models(input);
+  // mdbd-100 is stored; mdbd-fused follows from the balls.
+  const CleanModels clean =
+      describe_clean_models({input.collection, input.cache, input.seed, SignatureKind::mdbd_100});
   const std::vector<Rival> rivals = has_rivals ? list_rivals() : std::vector<Rival>{};
   std::vector<SignatureVectors> computed;
   for (const Rival& rival : rivals) computed.push_back(compute_rival(input, clean, rival));
 
   RetrievalComparison comparison;
-  comparison.signatures.push_back({std::string(signature_mdbd_100), {}});
+  comparison.signatures = {{std::string(signature_mdbd_100), {}},
+                           {std::string(signature_mdbd_fused), {}}};
   for (const Rival& rival : rivals) comparison.signatures.push_back({rival.name, {}});
   for (std::size_t i = 0; i < clean.models.size(); ++i) {
     const bool is_complete =
@@ -93,15 +106,17 @@ RetrievalComparison compare_retrieval(const EvaluationInput& input, bool has_riv
       continue;
     }
     comparison.models.push_back(clean.models[i]);
-    comparison.signatures.front().vectors.push_back(clean.descriptions[i].descriptor);
+    const DescribedModel& model = clean.descriptions[i];
+    comparison.signatures[0].vectors.push_back(model.descriptor);
+    comparison.signatures[1].vectors.push_back(compute_fused_signature(model.balls, model.scale));
     for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
-      comparison.signatures[rival + 1].vectors.push_back(*computed[rival][i]);
+      comparison.signatures[own_signatures + rival].vectors.push_back(*computed[rival][i]);
     }
   }
-  add_mdbd_methods(comparison, input.cache.recipe());
+  add_own_methods(comparison, input);
   for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
-    add_method(comparison, rivals[rival].name, comparison.signatures[rival + 1],
-               {rivals[rival].term});
+    add_method(comparison, rivals[rival].name, comparison.signatures[own_signatures + rival],
+               {rivals[rival].term}, true);
   }
   return comparison;
 }

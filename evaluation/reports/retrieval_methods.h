@@ -19,6 +19,7 @@ struct ComparedSignature {
 struct RetrievalMethod {
   std::string name;       ///< "mdbd-100", "radii alone", "ESF"
   std::string signature;  ///< the name of a ComparedSignature
+  bool is_rival = false;
   std::vector<DistanceTerm> terms;
   DistanceMatrix distances;
   RetrievalMeasures measures;
@@ -28,12 +29,15 @@ struct RetrievalMethod {
 struct RetrievalComparison {
   std::vector<LabelledModel> models;  ///< ordered by class, then by name
   std::vector<ComparedSignature> signatures;
-  std::vector<RetrievalMethod> methods;  ///< mdbd-100, its two parts, then the rivals
-  std::size_t left_out = 0;              ///< models described by mdbd-100 that a rival failed on
+  /// mdbd-100, its two parts, mdbd-fused, then the rivals.
+  std::vector<RetrievalMethod> methods;
+  std::size_t measured = 0;  ///< the method of the signature that the report is about
+  std::size_t left_out = 0;  ///< models that were described but that a rival failed on
 };
 
-/// Measures mdbd-100 and its parts, the radii alone and the walk alone, and beside them the rivals
-/// ESF, GASD and D2 on the models that all can describe.
+/// Measures mdbd-100 and its parts, the radii alone and the walk alone, mdbd-fused, and beside them
+/// the rivals ESF, GASD, D2 and harmonics of the distance transform on the models that all can
+/// describe.
 /// @throws as ModelCache::describe, and InvalidInput if no class has two such models
 RetrievalComparison compare_retrieval(const EvaluationInput& input, bool has_rivals);
 

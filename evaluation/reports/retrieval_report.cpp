@@ -40,6 +40,10 @@ std::vector<std::string> titles(std::vector<std::string> first) {
   return first;
 }
 
+const RetrievalMethod& measured(const RetrievalComparison& comparison) {
+  return comparison.methods[comparison.measured];
+}
+
 // ---- Tables and pictures ----
 
 Table score_table(const RetrievalComparison& comparison, std::string caption,
@@ -103,7 +107,7 @@ MatrixPicture matrix_picture(const RetrievalComparison& comparison, const Retrie
 const RetrievalMethod* best_rival(const RetrievalComparison& comparison) {
   const RetrievalMethod* best = nullptr;
   for (const RetrievalMethod& method : comparison.methods) {
-    if (method.signature == comparison.signatures.front().name) continue;
+    if (!method.is_rival) continue;
     const auto score = [](const RetrievalMethod& m) { return m.measures.mean.average_precision; };
     if (best == nullptr || score(method) > score(*best)) best = &method;
   }
@@ -111,29 +115,30 @@ const RetrievalMethod* best_rival(const RetrievalComparison& comparison) {
 }
 
 Section distance_section(const RetrievalComparison& comparison) {
-  Section section{"Distances", {matrix_picture(comparison, comparison.methods.front())}};
+  Section section{"Distances", {matrix_picture(comparison, measured(comparison))}};
   if (const RetrievalMethod* rival = best_rival(comparison)) {
     section.blocks.emplace_back(matrix_picture(comparison, *rival));
   }
   return section;
 }
 
-/// All measures of mdbd-100; of the rivals how often the first answer is right.
+/// All measures of the signature; of the rivals how often the first answer is right.
 Section class_section(const RetrievalComparison& comparison) {
-  const std::vector<RetrievalMethod>& methods = comparison.methods;
-  Table table{.caption = methods.front().name + " by class, per cent",
+  const RetrievalMethod& own_method = measured(comparison);
+  std::vector<const RetrievalMethod*> rivals;
+  for (const RetrievalMethod& method : comparison.methods) {
+    if (method.is_rival) rivals.push_back(&method);
+  }
+  Table table{.caption = own_method.name + " by class, per cent",
               .columns = titles({"class", "models"}),
               .rows = {}};
-  const std::size_t first_rival = 3;
-  for (std::size_t m = first_rival; m < methods.size(); ++m) {
-    table.columns.push_back("NN " + methods[m].name);
-  }
-  for (std::size_t c = 0; c < methods.front().measures.classes.size(); ++c) {
-    const ClassRetrieval& own = methods.front().measures.classes[c];
+  for (const RetrievalMethod* rival : rivals) table.columns.push_back("NN " + rival->name);
+  for (std::size_t c = 0; c < own_method.measures.classes.size(); ++c) {
+    const ClassRetrieval& own = own_method.measures.classes[c];
     std::vector<std::string> row = {own.label, std::to_string(own.models)};
     append_scores(row, own.mean);
-    for (std::size_t m = first_rival; m < methods.size(); ++m) {
-      row.push_back(percent(methods[m].measures.classes[c].mean.nearest_neighbour));
+    for (const RetrievalMethod* rival : rivals) {
+      row.push_back(percent(rival->measures.classes[c].mean.nearest_neighbour));
     }
     table.rows.push_back(std::move(row));
   }
@@ -154,7 +159,7 @@ struct Confusion {
 
 /// The worst first: the largest ratio of the distances of the right and the wrong answer.
 std::vector<Confusion> find_confusions(const RetrievalComparison& comparison) {
-  const DistanceMatrix& distances = comparison.methods.front().distances;
+  const DistanceMatrix& distances = measured(comparison).distances;
   const std::vector<LabelledModel>& models = comparison.models;
   std::vector<Confusion> confusions;
   for (std::size_t query = 0; query < models.size(); ++query) {
@@ -180,7 +185,7 @@ Section confusion_section(const RetrievalComparison& comparison,
   Table table{
       .caption = fmt::format("The {} worst of {} queries whose first answer is of another "
                              "class, by {}",
-                             worst.size(), confusions.size(), comparison.methods.front().name),
+                             worst.size(), confusions.size(), measured(comparison).name),
       .columns = {"query", "first answer", "distance", "first of its class", "distance", "rank"},
       .rows = {}};
   for (const Confusion& confusion : worst) {
@@ -253,7 +258,8 @@ ordered_json to_json(const RetrievalComparison& comparison, std::span<const Conf
   const RetrievalMeasures& any = comparison.methods.front().measures;
   ordered_json methods = ordered_json::array();
   for (const RetrievalMethod& method : comparison.methods) methods.push_back(to_json(method));
-  return {{"queries", any.queries},
+  return {{"signature", measured(comparison).name},
+          {"queries", any.queries},
           {"left_out_queries", any.left_out},
           {"recall_levels", recall_levels},
           {"methods", std::move(methods)},
@@ -264,16 +270,17 @@ ordered_json to_json(const RetrievalComparison& comparison, std::span<const Conf
 // ---- In words ----
 
 std::string summarise(const RetrievalComparison& comparison) {
-  const std::vector<RetrievalMethod>& methods = comparison.methods;
-  const RetrievalMeasures& own = methods.front().measures;
+  const RetrievalMethod& own_method = measured(comparison);
+  const RetrievalMeasures& own = own_method.measures;
   std::string others;
-  for (std::size_t m = 1; m < methods.size(); ++m) {
-    others += fmt::format("{}{} {} %", m == 1 ? "" : ", ", methods[m].name,
-                          percent(methods[m].measures.mean.nearest_neighbour));
+  for (const RetrievalMethod& method : comparison.methods) {
+    if (&method == &own_method) continue;
+    others += fmt::format("{}{} {} %", others.empty() ? "" : ", ", method.name,
+                          percent(method.measures.mean.nearest_neighbour));
   }
   return fmt::format(
       "The first answer of {} is of the query's class for {} % of {} queries in {} ({}).",
-      methods.front().name, percent(own.mean.nearest_neighbour), own.queries,
+      own_method.name, percent(own.mean.nearest_neighbour), own.queries,
       counted(own.classes.size(), "class", "es"), others);
 }
 

@@ -6,24 +6,26 @@
 #include <fmt/format.h>
 
 #include "evaluation/reports/class_bands.h"
+#include "evaluation/signature_terms.h"
 
 using nlohmann::ordered_json;
 
 namespace mdbd {
 namespace {
 
-Robustness measure(const CleanModels& clean, const DescribedModels& varied, const Recipe& recipe) {
-  RobustnessInput input{.clean = {},
-                        .labels = {},
-                        .varied = {},
-                        .radius_count = recipe.descriptor_balls,
-                        .walk_weight = recipe.walk_weight};
+Robustness measure(const CleanModels& clean, const DescribedModels& varied,
+                   std::vector<DistanceTerm> terms) {
+  RobustnessInput input{.clean = {}, .labels = {}, .varied = {}, .terms = std::move(terms)};
   for (std::size_t i = 0; i < clean.models.size(); ++i) {
     input.clean.push_back(clean.descriptions[i].descriptor);
     input.labels.push_back(clean.models[i].label);
     input.varied.push_back(varied[i] ? std::optional(varied[i]->descriptor) : std::nullopt);
   }
   return measure_robustness(input);
+}
+
+std::vector<DistanceTerm> distance_terms(const EvaluationInput& input) {
+  return signature_terms(input.signature, input.cache.recipe());
 }
 
 double face_count(const DescribedModel& model) {
@@ -78,17 +80,19 @@ VariedModels describe_varied(const EvaluationInput& input, const CleanModels& cl
                              const Perturbation& perturbation) {
   VariedModels varied{
       .name = perturbation.name,
-      .models = input.cache.describe(clean.models, perturbed_variant(perturbation, input.seed)),
+      .models = describe_models(input, clean.models, perturbed_variant(perturbation, input.seed)),
       .robustness = std::nullopt};
   if (failed_copies(varied) < varied.models.size()) {
-    varied.robustness = measure(clean, varied.models, input.cache.recipe());
+    varied.robustness = measure(clean, varied.models, distance_terms(input));
   }
   return varied;
 }
 
-VariedModels unvaried_models(const CleanModels& clean, const Recipe& recipe) {
+VariedModels unvaried_models(const EvaluationInput& input, const CleanModels& clean) {
   const DescribedModels models(clean.descriptions.begin(), clean.descriptions.end());
-  return {.name = "as they are", .models = models, .robustness = measure(clean, models, recipe)};
+  return {.name = "as they are",
+          .models = models,
+          .robustness = measure(clean, models, distance_terms(input))};
 }
 
 std::vector<std::optional<double>> face_ratios(const CleanModels& clean,

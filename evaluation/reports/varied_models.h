@@ -31,7 +31,7 @@ VariedModels describe_varied(const EvaluationInput& input, const CleanModels& cl
                              const Perturbation& perturbation);
 
 /// The models as they are, queried against themselves: what the measures are compared with.
-VariedModels unvaried_models(const CleanModels& clean, const Recipe& recipe);
+VariedModels unvaried_models(const EvaluationInput& input, const CleanModels& clean);
 
 /// The faces of each changed copy relative to those of its model; empty where it failed.
 std::vector<std::optional<double>> face_ratios(const CleanModels& clean,

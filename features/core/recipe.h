@@ -1,14 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-namespace mdbd {
+#include "features/core/signature.h"
 
-/// The name of the signature of the paper's section 5: 50 radii and 50 random-walk sums.
-inline constexpr std::string_view signature_mdbd_100 = "mdbd-100";
+namespace mdbd {
 
 /// Raised whenever the same parameters give other numbers than before.
 inline constexpr int current_algorithm_version = 3;

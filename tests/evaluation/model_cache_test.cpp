@@ -320,7 +320,7 @@ TEST_CASE("reports start from the models that could be described") {
   const CleanModels clean = describe_clean_models({collection, cache});
   REQUIRE(clean.models.size() == 2);
   CHECK(clean.models[1].name == "b/3.off");
-  const DistanceMatrix distances = similarity_matrix(clean, bench.recipe);
+  const DistanceMatrix distances = signature_matrix({collection, cache}, clean);
   CHECK(distances(0, 0) == 0.0);
   CHECK(distances(0, 1) == distances(1, 0));
   CHECK(distances(0, 1) == similarity_distance(clean.descriptions[0].descriptor,

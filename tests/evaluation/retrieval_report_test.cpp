@@ -75,8 +75,8 @@ TEST_CASE("mdbd-100 is compared by the similarity distance") {
   Bench bench;
   const EvaluationInput input = bench.input();
   const RetrievalComparison comparison = compare_retrieval(input, false);
-  REQUIRE(comparison.methods.size() == 3);
-  const DistanceMatrix expected = similarity_matrix(describe_clean_models(input), bench.recipe);
+  REQUIRE(comparison.methods.size() == 4);
+  const DistanceMatrix expected = signature_matrix(input, describe_clean_models(input));
   REQUIRE(expected.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) {
@@ -107,8 +107,8 @@ TEST_CASE("a retrieval report shows every method on the same models") {
             term["first"].get<std::size_t>() + term["count"].get<std::size_t>());
     }
   }
-  CHECK(names ==
-        std::vector<std::string>{"mdbd-100", "radii alone", "walk alone", "ESF", "GASD", "D2"});
+  CHECK(names == std::vector<std::string>{"mdbd-100", "radii alone", "walk alone", "mdbd-fused",
+                                          "ESF", "GASD", "D2", "SH of distances"});
   CHECK(report.sections.size() == 5);
   CHECK_THAT(report.notes.at(0), Contains("1 model without another of the same class"));
   CHECK_THAT(report.summary, Contains("of 5 queries in 2 classes (radii alone"));
@@ -118,6 +118,20 @@ TEST_CASE("a retrieval report shows every method on the same models") {
   bench.progress.stages.clear();
   CHECK(make_retrieval_report(bench.input(), {}).data == data);
   CHECK(bench.progress.stages.empty());
+}
+
+TEST_CASE("the report is about the signature that is asked for") {
+  Bench bench;
+  EvaluationInput input = bench.input();
+  input.signature = SignatureKind::mdbd_fused;
+  const Report report = make_retrieval_report(input, {.has_rivals = false});
+  CHECK(report.data["signature"] == "mdbd-fused");
+  CHECK_THAT(report.summary, Contains("The first answer of mdbd-fused is of") &&
+                                 Contains("(mdbd-100 ") && !Contains(", mdbd-fused"));
+  const RetrievalComparison comparison = compare_retrieval(input, false);
+  CHECK(comparison.methods[comparison.measured].name == "mdbd-fused");
+  const DistanceMatrix expected = signature_matrix(input, describe_clean_models(input));
+  CHECK(comparison.methods[comparison.measured].distances(0, 4) == expected(0, 4));
 }
 
 TEST_CASE("a wrong first answer is listed with the right one") {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "evaluation/rivals/d2.h"
+#include "evaluation/rivals/distance_harmonics.h"
 #include "evaluation/rivals/esf.h"
 #include "evaluation/rivals/gasd.h"
 #include "evaluation/rivals/surface_samples.h"
@@ -34,6 +35,36 @@ TriangleMesh make_square() {
 TriangleMesh moved_and_scaled(TriangleMesh mesh) {
   for (Eigen::Vector3d& vertex : mesh.vertices) {
     vertex = 1024 * vertex + Eigen::Vector3d(65536, -131072, 0);
+  }
+  return mesh;
+}
+
+/// A sphere of small steps, nearly round.
+TriangleMesh make_sphere(double radius) {
+  constexpr std::uint32_t around = 96;
+  constexpr std::uint32_t rings = 47;
+  TriangleMesh mesh;
+  for (std::uint32_t ring = 1; ring <= rings; ++ring) {
+    const double polar = std::numbers::pi * ring / (rings + 1);
+    for (std::uint32_t step = 0; step < around; ++step) {
+      const double angle = 2 * std::numbers::pi * step / around;
+      mesh.vertices.emplace_back(radius * std::sin(polar) * std::cos(angle),
+                                 radius * std::sin(polar) * std::sin(angle),
+                                 radius * std::cos(polar));
+    }
+  }
+  const auto north = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.emplace_back(0, 0, radius);
+  mesh.vertices.emplace_back(0, 0, -radius);
+  for (std::uint32_t step = 0; step < around; ++step) {
+    const std::uint32_t next = (step + 1) % around;
+    mesh.triangles.push_back({north, step, next});
+    const std::uint32_t last = (rings - 1) * around;
+    mesh.triangles.push_back({north + 1, last + next, last + step});
+    for (std::uint32_t first = 0; first < last; first += around) {
+      mesh.triangles.push_back({first + step, first + around + step, first + next});
+      mesh.triangles.push_back({first + next, first + around + step, first + around + next});
+    }
   }
   return mesh;
 }
@@ -108,6 +139,31 @@ TEST_CASE("rivals are seeded, normalised, and independent of place and size") {
     const double to_itself = l1(first, rival.compute(moved_and_scaled(torus), 2));
     CHECK(to_itself < 0.2 * l1(first, rival.compute(cube, 1)));
   }
+}
+
+TEST_CASE("harmonics of distances of a ball are those of a function of the radius alone") {
+  const std::vector<float> found = compute_distance_harmonics(make_sphere(3.0));
+  REQUIRE(found.size() == distance_harmonics_size);
+  for (int shell = 1; shell <= distance_shells; ++shell) {
+    // The surface is at half the radius of the outermost sphere, the Gaussian 1/16 of it wide.
+    const double radius = shell / 32.0;
+    const double expected = radius * std::exp(-std::pow((radius - 0.5) * 16, 2));
+    const std::size_t first = (shell - 1) * (distance_degree + 1);
+    CHECK(std::abs(found[first] - expected) < 0.01);
+    for (int l = 1; l <= distance_degree; ++l) CHECK(found[first + l] < 0.01);
+  }
+}
+
+TEST_CASE("harmonics of distances do not depend on pose, place and size") {
+  TriangleMesh mesh = test::make_torus(2, 0.5, 24, 16);
+  const std::vector<float> expected = compute_distance_harmonics(mesh);
+  const std::vector<float> cube = compute_distance_harmonics(test::make_cube());
+  CHECK(l1(compute_distance_harmonics(moved_and_scaled(mesh)), expected) < 1e-3);
+  for (Eigen::Vector3d& vertex : mesh.vertices)
+    vertex = {vertex.z(), 0.6 * vertex.x() - 0.8 * vertex.y(), 0.8 * vertex.x() + 0.6 * vertex.y()};
+  CHECK(l1(compute_distance_harmonics(mesh), expected) < 0.1 * l1(cube, expected));
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = Eigen::Vector3d::Zero();
+  CHECK_THROWS_AS(compute_distance_harmonics(mesh), InvalidInput);
 }
 
 TEST_CASE("D2 of a square is the known distribution") {

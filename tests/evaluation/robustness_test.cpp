@@ -16,7 +16,7 @@ namespace {
 /// Models on a line: one radius each, no walk.
 RobustnessInput line(const std::vector<float>& clean, const std::vector<std::string>& labels,
                      const std::vector<std::optional<float>>& varied) {
-  RobustnessInput input{.clean = {}, .labels = labels, .varied = {}, .radius_count = 1};
+  RobustnessInput input{.clean = {}, .labels = labels, .varied = {}, .terms = {{.count = 1}}};
   for (const float x : clean) input.clean.push_back({x});
   for (const auto& x : varied) {
     input.varied.push_back(x ? std::optional(std::vector<float>{*x}) : std::nullopt);
@@ -28,8 +28,10 @@ RobustnessInput line(const std::vector<float>& clean, const std::vector<std::str
 RobustnessInput random_input(std::uint64_t seed) {
   Random random(seed);
   const auto draw = [&](double size) { return static_cast<float>(random.uniform(-size, size)); };
-  RobustnessInput input{
-      .clean = {}, .labels = {}, .varied = {}, .radius_count = 2, .walk_weight = 0.7};
+  RobustnessInput input{.clean = {},
+                        .labels = {},
+                        .varied = {},
+                        .terms = {{.count = 2}, {.first = 2, .count = 2, .weight = 0.7}}};
   for (int i = 0; i < 12; ++i) {
     std::vector<float> clean = {draw(1), draw(1), draw(1), draw(1)};
     std::vector<float> varied = clean;
@@ -46,7 +48,8 @@ RobustnessInput random_input(std::uint64_t seed) {
 double distance(const RobustnessInput& input, const std::vector<float>& f,
                 const std::vector<float>& g) {
   const auto square = [&](std::size_t i) { return std::pow(double{f[i]} - double{g[i]}, 2); };
-  return std::sqrt(square(0) + square(1)) + input.walk_weight * std::sqrt(square(2) + square(3));
+  return std::sqrt(square(0) + square(1)) +
+         input.terms[1].weight * std::sqrt(square(2) + square(3));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <catch2/catch.hpp>
 
@@ -9,6 +10,7 @@
 #include "evaluation/reports/noise_report.h"
 #include "evaluation/reports/varied_models.h"
 #include "features/core/errors.h"
+#include "features/descriptor/fused_signature.h"
 #include "perturbation/subdivision.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/mesh_writers.h"
@@ -130,7 +132,8 @@ TEST_CASE("the noise report can be computed again from its data") {
   Bench bench;
   const Report report = make_noise_report(bench.input(), {.levels = {0.5, 3}, .queries = {}});
   CHECK(report.title == "Noise on models");
-  CHECK_THAT(report.summary, Contains("Of 6 models, ") && Contains("with noise 0.5 %, "));
+  CHECK_THAT(report.summary,
+             Contains("By mdbd-100, of 6 models ") && Contains("with noise 0.5 %, "));
   const ordered_json& data = report.data;
   REQUIRE(data["models"].size() == 6);
   REQUIRE(data["noise"].size() == 2);
@@ -148,6 +151,24 @@ TEST_CASE("the noise report can be computed again from its data") {
   CHECK(shift(0) > 0);
   CHECK(shift(1) > shift(0));
   CHECK(has_note(report, "1 model(s) without another of their class"));
+}
+
+TEST_CASE("the noise report measures mdbd-fused when it is asked to") {
+  Bench bench;
+  EvaluationInput input = bench.input();
+  input.signature = SignatureKind::mdbd_fused;
+  const Report report = make_noise_report(input, {.levels = {1}, .queries = {}});
+  const ordered_json& data = report.data;
+  CHECK(data["signature"] == "mdbd-fused");
+  REQUIRE(data["noise"][0]["models"].size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto clean = data["models"][i]["descriptor"].get<std::vector<float>>();
+    const auto noisy = data["noise"][0]["models"][i]["descriptor"].get<std::vector<float>>();
+    REQUIRE(clean.size() == fused_size);
+    const auto parts = fused_part_distances(clean, noisy);
+    CHECK(data["noise"][0]["models"][i]["displacement"].get<double>() ==
+          Approx(std::accumulate(parts.begin(), parts.end(), 0.0)));
+  }
 }
 
 TEST_CASE("queries are drawn beside their noisy copies") {

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "features/core/errors.h"
+#include "features/descriptor/fused_signature.h"
 #include "indexer/dry_run_store.h"
 #include "tests/support/temporary_directory.h"
 
@@ -93,7 +94,7 @@ class Collection {
     ShapeDescription shape;
     shape.format = "off";
     shape.representation = "mesh";
-    shape.decomposition.balls = {{{0, 0, 0}, static_cast<double>(content.size())}};
+    shape.decomposition.balls = {{{0, 0, 0}, static_cast<double>(1 + content.size())}};
     shape.decomposition.scale = static_cast<double>(1 + content.size());
     shape.descriptor.values.assign(100, static_cast<float>(content.size()));
     return shape;
@@ -123,6 +124,27 @@ TEST_CASE("a second run on an unchanged folder does nothing") {
   CHECK(counts(c.run()) == Counts{0, 2, 0, 0, 0, 0});
   CHECK(c.described() == 0);
   CHECK(c.observer.started == 0);
+}
+
+TEST_CASE("models without mdbd-fused gain it from their balls, and nothing is decomposed again") {
+  Collection c;
+  c.write("a.off", "A");
+  c.write("b.off", "BB");
+  c.write("bad.off", "bad");
+  CHECK(c.run().completed == 2);  // the description of these tests has none
+  const std::int64_t id = c.record("b.off")->id;
+  CHECK(c.store->data(id).fused == compute_fused_signature(c.store->data(id).balls, 3.0));
+  CHECK(c.run().completed == 0);
+  c.store->put_vector(id, "mdbd-fused/0", std::vector<float>{1});
+  ShapeData without = c.store->data(id);
+  without.fused.clear();
+  c.store->put(*c.record("b.off"), without);
+  c.is_dry_run = true;
+  CHECK(c.run().completed == 1);
+  c.is_dry_run = false;
+  CHECK(c.run().completed == 1);
+  CHECK(c.described() == 0);
+  CHECK(c.store->vectors(stored_mdbd_fused).size() == 2);
 }
 
 TEST_CASE("records do not depend on the number of jobs") {
@@ -412,6 +434,7 @@ TEST_CASE("a store that fails ends the run") {
     void remove(std::int64_t) override {}
     void put_vector(std::int64_t, std::string_view, std::span<const float>) override {}
     ShapeData data(std::int64_t) const override { return {}; }
+    std::vector<std::int64_t> shapes_without(std::string_view) const override { return {}; }
     std::vector<StoredVector> vectors(std::string_view) const override { return {}; }
 
    private:

@@ -2,16 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 
 #include <catch2/catch.hpp>
 
 #include "features/core/errors.h"
+#include "features/descriptor/fused_signature.h"
+#include "features/descriptor/similarity_distance.h"
 
 using mdbd::ExactSearch;
 using mdbd::InvalidInput;
 using mdbd::Match;
 using mdbd::SearchResult;
+using mdbd::similarity_distance;
+using mdbd::similarity_metric;
+using mdbd::SimilarityDistance;
 using mdbd::StoredVector;
 
 namespace {
@@ -41,11 +47,16 @@ std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
                                std::span<const float> query, std::size_t k, double walk_weight) {
   std::vector<Match> matches;
   for (const StoredVector& vector : collection) {
-    matches.push_back({vector.shape_id, vector.path, vector.scale,
-                       mdbd::similarity_distance(query, vector.values, radius_count, walk_weight)});
+    const SimilarityDistance distance =
+        similarity_distance(query, vector.values, radius_count, walk_weight);
+    matches.push_back({vector.shape_id,
+                       vector.path,
+                       vector.scale,
+                       distance.total,
+                       {distance.radii, distance.walk}});
   }
   std::ranges::sort(matches, [](const Match& a, const Match& b) {
-    return std::pair(a.distance.total, a.path) < std::pair(b.distance.total, b.path);
+    return std::pair(a.distance, a.path) < std::pair(b.distance, b.path);
   });
   matches.resize(std::min(k, matches.size()));
   return matches;
@@ -58,9 +69,8 @@ void check_equal(const SearchResult& result, const std::vector<Match>& expected)
     CHECK(match.id == expected[i].id);
     CHECK(match.path == expected[i].path);
     CHECK(match.scale == expected[i].scale);
-    CHECK(match.distance.total == expected[i].distance.total);
-    CHECK(match.distance.radii == expected[i].distance.radii);
-    CHECK(match.distance.walk == expected[i].distance.walk);
+    CHECK(match.distance == expected[i].distance);
+    CHECK(match.parts == expected[i].parts);
   }
 }
 
@@ -82,7 +92,7 @@ TEST_CASE("the answer is that of a brute-force search, ties included") {
     std::mt19937 generator(seed);
     const std::vector<StoredVector> collection = make_collection(size, generator);
     const std::vector<StoredVector> outside = make_collection(1, generator);
-    const ExactSearch search(collection, radius_count, walk_weight);
+    const ExactSearch search(collection, similarity_metric(radius_count, walk_weight));
     const bool is_member = seed % 2 == 1 && size > 0;
     const std::vector<float>& query =
         is_member ? collection[generator() % size].values : outside[0].values;
@@ -103,21 +113,23 @@ TEST_CASE("the certificate spares most of a collection") {
   std::mt19937 generator(7);
   const std::vector<StoredVector> collection = make_collection(500, generator);
   const SearchResult result =
-      ExactSearch(collection, radius_count, 1.0).search(collection[0].values, 1);
+      ExactSearch(collection, similarity_metric(radius_count, 1.0)).search(collection[0].values, 1);
   CHECK(result.exact);
   CHECK(result.examined < 100);
 }
 
 TEST_CASE("the order is that of the similarity distance where L2 has another one") {
   // L2: corner 1.13, axis 1.2. Similarity distance: corner 1.6, axis 1.2.
-  const ExactSearch search(models({{"corner", {0.8F, 0.8F}}, {"axis", {1.2F, 0.0F}}}), 1, 1.0);
+  const ExactSearch search(models({{"corner", {0.8F, 0.8F}}, {"axis", {1.2F, 0.0F}}}),
+                           similarity_metric(1, 1.0));
   const SearchResult result = search.search(std::vector{0.0F, 0.0F}, 1);
   REQUIRE(result.matches.size() == 1);
   CHECK(result.matches[0].path == "axis");
 }
 
 TEST_CASE("equal distances are ordered by path, also where only one is asked for") {
-  const ExactSearch search(models({{"c", {1.0F}}, {"a", {-1.0F}}, {"b", {1.0F}}}), 1, 1.0);
+  const ExactSearch search(models({{"c", {1.0F}}, {"a", {-1.0F}}, {"b", {1.0F}}}),
+                           similarity_metric(1, 1.0));
   CHECK(search.search(std::vector{0.0F}, 1).matches.at(0).path == "a");
   CHECK(search.search(std::vector{0.0F}, 2).matches.at(1).path == "b");
 }
@@ -130,7 +142,7 @@ TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near m
     vector.values.assign(dimension, 0.0F);
     vector.values[dimension - 1] = 1000.0F + static_cast<float>(generator() % 64) * 6.1e-5F;
   }
-  const ExactSearch search(collection, radius_count, 1.0 / 3.0);
+  const ExactSearch search(collection, similarity_metric(radius_count, 1.0 / 3.0));
   for (const StoredVector& query : collection) {
     check_equal(search.search(query.values, 5),
                 brute_force(collection, query.values, 5, 1.0 / 3.0));
@@ -138,9 +150,41 @@ TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near m
 }
 
 TEST_CASE("what does not fit is refused") {
-  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F, 2.0F}}, {"b", {1.0F}}}), 1, 1.0), InvalidInput);
-  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F}}}), 2, 1.0), InvalidInput);
-  const ExactSearch search(models({{"a", {1.0F, 2.0F}}}), 1, 1.0);
+  CHECK_THROWS_AS(
+      ExactSearch(models({{"a", {1.0F, 2.0F}}, {"b", {1.0F}}}), similarity_metric(1, 1.0)),
+      InvalidInput);
+  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F}}}), similarity_metric(2, 1.0)), InvalidInput);
+  const ExactSearch search(models({{"a", {1.0F, 2.0F}}}), similarity_metric(1, 1.0));
   CHECK_THROWS_AS(search.search(std::vector{1.0F}, 1), InvalidInput);
   CHECK_THROWS_AS(search.search(std::vector{1.0F, 2.0F}, 0), InvalidInput);
+}
+
+TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<float> anywhere(0.0F, 0.05F);
+  std::vector<StoredVector> collection = make_collection(300, generator);
+  for (StoredVector& vector : collection) {
+    vector.values.resize(mdbd::fused_size);
+    for (float& value : vector.values) value = anywhere(generator);
+  }
+  collection[7].values = collection[3].values;
+  const ExactSearch search(collection, mdbd::fused_metric());
+  for (std::size_t query = 0; query < 20; ++query) {
+    const SearchResult result = search.search(collection[query].values, 10);
+    std::vector<std::pair<double, std::string>> expected;
+    for (const StoredVector& vector : collection) {
+      const auto parts = mdbd::fused_part_distances(collection[query].values, vector.values);
+      expected.emplace_back(std::accumulate(parts.begin(), parts.end(), 0.0), vector.path);
+    }
+    std::ranges::sort(expected);
+    CHECK(result.exact);
+    CHECK(result.examined < 30);
+    REQUIRE(result.part_names.size() == mdbd::fused_parts.size());
+    for (std::size_t i = 0; i < 10; ++i) {
+      const Match& match = result.matches.at(i);
+      CHECK(match.distance == expected[i].first);
+      CHECK(match.path == expected[i].second);
+      CHECK(std::accumulate(match.parts.begin(), match.parts.end(), 0.0) == Approx(match.distance));
+    }
+  }
 }

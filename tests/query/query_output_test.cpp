@@ -17,8 +17,9 @@ SearchResult example() {
   SearchResult result;
   result.exact = true;
   result.collection_size = 3;
-  result.matches = {{7, "/models/chair/a.off", 2.5, {0.1, 0.2, 0.1 + 0.2}},
-                    {9, "/other/table, \"big\".obj", 1.0, {1.0, 0.0, 1.0}}};
+  result.matches = {{7, "/models/chair/a.off", 2.5, 0.1 + 0.2, {0.1, 0.2}},
+                    {9, "/other/table, \"big\".obj", 1.0, 1.0, {1.0, 0.0}}};
+  result.part_names = {"radii", "walk"};
   return result;
 }
 
@@ -30,6 +31,12 @@ TEST_CASE("the table shows paths below the folder relative to it") {
   CHECK_THAT(table, Contains("   2   1.000000  /other/table, \"big\".obj\n"));
   CHECK_THAT(format_table(example(), "/mod"), Contains("  /models/chair/a.off\n"));
   CHECK(format_table({}, "/").empty());
+}
+
+TEST_CASE("an explained table shows what each part makes of the distance") {
+  const std::string table = format_table(example(), "/models", true);
+  CHECK_THAT(table, Contains("rank   distance       radii%        walk%  model\n"));
+  CHECK_THAT(table, Contains("   1   0.300000           33           67  chair/a.off\n"));
 }
 
 TEST_CASE("the table has one line a match, whatever a file is called") {

@@ -31,10 +31,11 @@ inline ShapeRecord make_failed_record(const std::string& path) {
   return record;
 }
 
-/// 100 numbers and as many balls as asked for, all different.
+/// 100 and 30 numbers and as many balls as asked for, all different.
 inline ShapeData make_data(int seed, int ball_count = 20) {
   ShapeData data;
   for (int i = 0; i < 100; ++i) data.signature.push_back(static_cast<float>(seed + i / 7.0));
+  for (int i = 0; i < 30; ++i) data.fused.push_back(static_cast<float>(seed - i / 3.0));
   for (int i = 0; i < ball_count; ++i) {
     data.balls.push_back({{seed + 1.0 / 3.0, i / 7.0, -1e-300 * i}, 1.0 / (seed + i + 1)});
   }
@@ -42,7 +43,10 @@ inline ShapeData make_data(int seed, int ball_count = 20) {
 }
 
 inline bool is_same(const ShapeData& left, const ShapeData& right) {
-  if (left.signature != right.signature || left.balls.size() != right.balls.size()) return false;
+  if (left.signature != right.signature || left.fused != right.fused ||
+      left.balls.size() != right.balls.size()) {
+    return false;
+  }
   for (std::size_t i = 0; i < left.balls.size(); ++i) {
     const Ball& a = left.balls[i];
     const Ball& b = right.balls[i];

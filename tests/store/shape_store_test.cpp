@@ -126,6 +126,7 @@ TEST_CASE("what does not fit is refused and changes nothing") {
   SECTION("vector not finite") { data.signature[99] = std::nanf(""); }
   SECTION("vector too long") { data.signature.push_back(0.0F); }
   SECTION("vector missing") { data.signature.clear(); }
+  SECTION("further vector not finite") { data.fused[2] = std::nanf(""); }
   SECTION("center not finite") { data.balls[3].center.z() = HUGE_VAL; }
   SECTION("radius not finite") { data.balls[3].radius = std::nan(""); }
   SECTION("scale not finite") { record.scale = std::nan(""); }
@@ -169,6 +170,24 @@ TEST_CASE("vectors are those of indexed models, ordered by path") {
   CHECK(store->vectors("another").empty());
 }
 
+TEST_CASE("models without a signature are named until they have it") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  ShapeData without = make_data(2);
+  without.fused.clear();
+  const std::int64_t b = store->put(make_record("/b.off"), without);
+  store->put(make_failed_record("/f.off"), {});
+  const std::int64_t a = store->put(make_record("/a.off"), without);
+  const std::int64_t c = store->put(make_record("/c.off"), make_data(1));
+  CHECK(store->shapes_without(stored_mdbd_fused) == std::vector{a, b});
+  CHECK(store->shapes_without("another") == std::vector{a, b, c});
+  CHECK(store->shapes_without(signature_mdbd_100).empty());
+  store->put_vector(a, stored_mdbd_fused, make_data(7).fused);
+  CHECK(store->shapes_without(stored_mdbd_fused) == std::vector{b});
+  CHECK(store->data(a).fused == make_data(7).fused);
+  CHECK(store->data(b).fused.empty());
+}
+
 TEST_CASE("touch changes size and time only") {
   const TemporaryDirectory folder;
   const auto store = open_store(folder / "a.db");
@@ -203,7 +222,7 @@ TEST_CASE("remove takes vectors and balls along") {
   store->remove(id);
   store->remove(id);
   CHECK(paths_of(store->shapes()) == Paths{"/b.off"});
-  CHECK(count_rows(folder / "a.db", "vectors") == 1);
+  CHECK(count_rows(folder / "a.db", "vectors") == 2);
   CHECK(count_rows(folder / "a.db", "balls") == 1);
 }
 

@@ -35,13 +35,14 @@ int main() {
   const mdbd::Recipe recipe{.balls = 9};
   const mdbd::ShapeDescription description = mdbd::describe_file("cube.off", recipe);
   const auto store = mdbd::open_store("consumer.db", recipe);
-  store->put(
-      {.path = "/cube.off", .scale = description.decomposition.scale},
-      {.balls = description.decomposition.balls, .signature = description.descriptor.values});
+  store->put({.path = "/cube.off", .scale = description.decomposition.scale},
+             {.balls = description.decomposition.balls,
+              .signature = description.descriptor.values,
+              .fused = description.fused});
 
   const mdbd::QueryAnswer answer = mdbd::query_by_file(*store, "cube.off", 1);
   const bool is_found = answer.result.matches.size() == 1 && answer.result.exact &&
-                        answer.result.matches[0].distance.total == 0.0;
+                        answer.result.matches[0].distance == 0.0;
   std::puts(is_found ? "found" : "not found");
   return is_found ? 0 : 1;
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "query/nearest_neighbours.h"
+
+namespace mdbd {
+
+/// How vectors of one signature are compared: the distance that answers are ordered by, and points
+/// whose norm bounds it from below, so that an index of points can find the nearest vectors.
+class SignatureMetric {
+ public:
+  virtual ~SignatureMetric() = default;
+
+  /// The norm of the difference of two points never exceeds the distance of their vectors.
+  virtual PointNorm norm() const = 0;
+  virtual std::vector<float> point(std::span<const float> vector) const = 0;
+
+  /// What a distance is made of.
+  virtual std::vector<std::string_view> part_names() const = 0;
+  virtual std::vector<double> parts(std::span<const float> f, std::span<const float> g) const = 0;
+  virtual double distance(std::span<const float> f, std::span<const float> g) const = 0;
+
+  /// How many numbers a vector has at least.
+  virtual std::size_t least_size() const = 0;
+};
+
+/// The similarity distance of mdbd-100 (paper, section 5.2), |f_R - g_R| + alpha |f_P - g_P|, a
+/// metric but no Euclidean one: the Euclidean distance of the points (f_R, alpha f_P) bounds it.
+/// Its parts are "radii" and "walk", the latter without alpha.
+/// @param radius_count k of the recipe, how many of the values are radii
+/// @param walk_weight alpha, at least 0
+std::unique_ptr<const SignatureMetric> similarity_metric(int radius_count, double walk_weight);
+
+/// The L1 distance of mdbd-fused, with the parts of fused_parts.
+std::unique_ptr<const SignatureMetric> fused_metric();
+
+}  // namespace mdbd
