@@ -41,7 +41,7 @@ class Simplex {
       : size_(2 * half_size), half_size_(half_size) {
     choose_corner(functions);
     const auto count = static_cast<int>(functions.size());
-    std::array<double, max_rows> at_corner;
+    std::array<double, max_rows> at_corner{};
     int lowest = 0;
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector3d& slope = functions[i].slope;
