@@ -49,8 +49,8 @@ class Bench {
   }
 
   Variant variant(const std::string& name) const {
-    return {.name = name, .load = [this](const fs::path& path, const Recipe& recipe) {
-              return make_mesh_shape(box(read(path)), recipe);
+    return {.name = name, .load = [this](const fs::path& path, const Recipe& wanted) {
+              return make_mesh_shape(box(read(path)), wanted);
             }};
   }
 
