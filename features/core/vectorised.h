@@ -1,8 +1,8 @@
 #pragma once
 
 /// Marks a function whose loops over a fixed number of lanes are compiled twice, for AVX2 and for
-/// the baseline of the platform; the processor decides at run time. Both give the same bits: nothing
-/// is contracted or reordered. Its source file is listed in mdbd_vectorised() of the build.
+/// the baseline of the platform; the processor decides at run time. Both give the same bits:
+/// nothing is contracted or reordered. Its source file is listed in mdbd_vectorised() of the build.
 #if defined(__x86_64__) && defined(__has_attribute) && !defined(__SANITIZE_ADDRESS__)
 #define MDBD_VECTORISED __attribute__((target_clones("avx2", "default")))
 #else

@@ -55,8 +55,8 @@ int BallSet::part_along(int axis, double coordinate) const {
 }
 
 std::span<const std::uint32_t> BallSet::balls_around(const Eigen::Vector3d& point) const {
-  const int part = part_along(0, point[0]) +
-                   parts * (part_along(1, point[1]) + parts * part_along(2, point[2]));
+  const int part =
+      part_along(0, point[0]) + parts * (part_along(1, point[1]) + parts * part_along(2, point[2]));
   return lists_[part];
 }
 

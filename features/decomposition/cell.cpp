@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace mdbd {
 
 Cell::Cell(const Eigen::Vector3d& center, double half_size, double bound)

@@ -24,8 +24,9 @@ class CellQueue {
 
   /// The entries of which one is at the top after the top is gone.
   std::span<const Entry> next() const {
-    return std::span(heap_).subspan(std::min<std::size_t>(1, heap_.size())).first(
-        std::min(arity, heap_.empty() ? 0 : heap_.size() - 1));
+    return std::span(heap_)
+        .subspan(std::min<std::size_t>(1, heap_.size()))
+        .first(std::min(arity, heap_.empty() ? 0 : heap_.size() - 1));
   }
 
   void push(const Entry& entry) {

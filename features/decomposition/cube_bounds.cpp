@@ -142,10 +142,9 @@ CubeBounds OctantBounds::of_octant(int octant, const Preference& preference) con
     center[axis] += is_upper ? 0.5 * half_size_ : -0.5 * half_size_;
     lowest += is_upper ? stride : 0;
   }
-  const Values* const corners[8] = {&values_[lowest],     &values_[lowest + 1],
-                                    &values_[lowest + 3], &values_[lowest + 4],
-                                    &values_[lowest + 9], &values_[lowest + 10],
-                                    &values_[lowest + 12], &values_[lowest + 13]};
+  const Values* const corners[8] = {
+      &values_[lowest],     &values_[lowest + 1],  &values_[lowest + 3],  &values_[lowest + 4],
+      &values_[lowest + 9], &values_[lowest + 10], &values_[lowest + 12], &values_[lowest + 13]};
   return fit(corners, count_, preference.over_cube(center, 0.5 * half_size_), 0.5 * half_size_);
 }
 

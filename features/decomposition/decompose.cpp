@@ -68,7 +68,8 @@ class NodePool {
       blocks_.emplace_back().reserve(block_size);
     }
     blocks_.back().push_back(node);
-    return static_cast<std::uint32_t>((blocks_.size() - 1) * block_size + blocks_.back().size() - 1);
+    return static_cast<std::uint32_t>((blocks_.size() - 1) * block_size + blocks_.back().size() -
+                                      1);
   }
 
   void remove(std::uint32_t index) { free_.push_back(index); }
@@ -81,7 +82,8 @@ class NodePool {
 
   void prefetch(std::uint32_t index) {
     const auto* bytes = reinterpret_cast<const char*>(&(*this)[index]);
-    for (std::size_t offset = 0; offset < sizeof(Node); offset += 64) __builtin_prefetch(bytes + offset);
+    for (std::size_t offset = 0; offset < sizeof(Node); offset += 64)
+      __builtin_prefetch(bytes + offset);
   }
 
  private:
@@ -248,7 +250,8 @@ class Search {
   std::uint32_t find_resolving_candidate(const Cell& cell) {
     const double least = best_rank() * (1.0 - rank_tie);
     for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
-      if (resolves(candidates_[it->candidate].maximum, cell) && is_clear(it->candidate)) return it->candidate;
+      if (resolves(candidates_[it->candidate].maximum, cell) && is_clear(it->candidate))
+        return it->candidate;
     }
     return none;
   }

@@ -59,7 +59,8 @@ AffineFunction FlatPiece::linearise(const Eigen::Vector3d& x, double margin) con
     dx = ex;
     dy = ey;
   }
-  if (innermost >= 0 || nearest < margin * margin) return {std::abs(height), std::copysign(1.0, height) * normal_};
+  if (innermost >= 0 || nearest < margin * margin)
+    return {std::abs(height), std::copysign(1.0, height) * normal_};
   const double distance = std::sqrt(height * height + nearest);
   if (!(distance > 0)) return {0.0, Eigen::Vector3d::Zero()};
   return {distance, (height * normal_ + dx * first_ + dy * second_) / distance};

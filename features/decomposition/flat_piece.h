@@ -42,7 +42,7 @@ class FlatPiece {
   void measure_grid(const Eigen::Vector3d& lowest, double step, double* distances) const;
 
   Eigen::Vector3d origin_;
-  Eigen::Vector3d first_;   // unit vectors in the plane …
+  Eigen::Vector3d first_;  // unit vectors in the plane …
   Eigen::Vector3d second_;
   Eigen::Vector3d normal_;  // … and across
   std::vector<Edge> edges_;

@@ -62,8 +62,8 @@ const FlatPiece* FlatPieces::find_disc(const DistanceSample& sample) {
   const double wanted = apothem * sample.flat_region.radius;
   if (best != discs.end() && reach(*best) >= least_share * wanted) return best->piece.get();
   discs.push_back({sample.closest, wanted,
-                   std::make_unique<FlatPiece>(
-                       hexagon(sample.closest, sample.flat_region.radius, sample.flat_region.normal))});
+                   std::make_unique<FlatPiece>(hexagon(sample.closest, sample.flat_region.radius,
+                                                       sample.flat_region.normal))});
   return discs.back().piece.get();
 }
 

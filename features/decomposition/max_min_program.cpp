@@ -45,9 +45,9 @@ class Simplex {
     int lowest = 0;
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector3d& slope = functions[i].slope;
-      at_corner[i] = functions[i].offset - half_size * (direction_[0] * slope[0] +
-                                                        direction_[1] * slope[1] +
-                                                        direction_[2] * slope[2]);
+      at_corner[i] =
+          functions[i].offset - half_size * (direction_[0] * slope[0] + direction_[1] * slope[1] +
+                                             direction_[2] * slope[2]);
       if (at_corner[i] < at_corner[lowest]) lowest = i;
     }
     // t = f_lowest - z_lowest is substituted everywhere.
@@ -100,8 +100,8 @@ class Simplex {
   MDBD_PART_OF_CALLER void choose_corner(std::span<const AffineFunction> functions) {
     double least = infinity;
     for (const AffineFunction& f : functions) {
-      const double largest =
-          f.offset + half_size_ * (std::abs(f.slope[0]) + std::abs(f.slope[1]) + std::abs(f.slope[2]));
+      const double largest = f.offset + half_size_ * (std::abs(f.slope[0]) + std::abs(f.slope[1]) +
+                                                      std::abs(f.slope[2]));
       if (largest >= least) continue;
       least = largest;
       for (int c = 0; c < 3; ++c) direction_[c] = f.slope[c] > 0 ? -1.0 : 1.0;

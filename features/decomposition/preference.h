@@ -8,14 +8,14 @@
 namespace mdbd {
 
 /// The factor of the rank (Preference) over a cube. With an affine bound a + b . s of d_i, the rank
-/// is at most a f + |b|_1 p + (b f + a c d) . s where d_i is positive: the product of both, with its
-/// term of second order replaced by the largest that it can be.
+/// is at most a f + |b|_1 p + (b f + a c d) . s where d_i is positive: the product of both, with
+/// its term of second order replaced by the largest that it can be.
 struct CubePreference {
-  double factor;          ///< f
-  double coupling = 0.0;  ///< c
+  double factor;                                        ///< f
+  double coupling = 0.0;                                ///< c
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< d
-  double product = 0.0;   ///< p
-  double largest_factor;  ///< of a point of the cube
+  double product = 0.0;                                 ///< p
+  double largest_factor;                                ///< of a point of the cube
 };
 
 /// Decides between balls of equal radius in a way that does not depend on how the shape lies: the

@@ -5,7 +5,6 @@
 #include "features/decomposition/flat_piece.h"
 #include "features/decomposition/max_min_program.h"
 
-
 namespace mdbd {
 
 /// A reason why no large ball fits near a point: no ball centred at x is larger than the distance

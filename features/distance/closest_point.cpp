@@ -63,8 +63,7 @@ inline void triangle_distances(const TriangleBlock& block, const LocalPoint& p, 
     const float vz = block.across[2][i];
     const float x = px * ux + py * uy + pz * uz;
     const float y = px * vx + py * vy + pz * vz;
-    const float z =
-        px * (uy * vz - uz * vy) + py * (uz * vx - ux * vz) + pz * (ux * vy - uy * vx);
+    const float z = px * (uy * vz - uz * vy) + py * (uz * vx - ux * vz) + pz * (ux * vy - uy * vx);
     const float length = block.length[i];
     const float apex_x = block.apex[0][i];
     const float apex_y = block.apex[1][i];

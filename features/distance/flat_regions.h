@@ -29,7 +29,7 @@ class FlatRegions {
 
   std::vector<std::uint32_t> region_of_;  // for each triangle; empty if nothing was joined
   std::vector<Eigen::Vector3d> normals_;  // for each region: of its largest triangle
-  std::optional<TriangleTree> creases_;  // the outlines of all regions of several triangles
+  std::optional<TriangleTree> creases_;   // the outlines of all regions of several triangles
 };
 
 }  // namespace mdbd

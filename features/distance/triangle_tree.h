@@ -26,8 +26,8 @@ struct TreeNode {
   std::uint32_t block[width];  ///< the block with the triangles of child c, if it is a leaf
 };
 
-/// The triangles of a leaf, laid out for vector instructions, [axis][triangle]: the corner where the
-/// longest side begins, the unit vector along that side and the one across it in the triangle's
+/// The triangles of a leaf, laid out for vector instructions, [axis][triangle]: the corner where
+/// the longest side begins, the unit vector along that side and the one across it in the triangle's
 /// plane, in tree coordinates. In the frame of these three the corners are (0, 0), (length, 0) and
 /// (apex[0], apex[1]) with apex[1] >= 0. Where a leaf has fewer triangles, its last is repeated.
 struct TriangleBlock {

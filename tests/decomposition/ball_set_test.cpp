@@ -31,8 +31,8 @@ TEST_CASE("the nearest balls agree with sorting all of them") {
     for (const Ball& ball : balls) gaps.push_back((point - ball.center).norm() - ball.radius);
     std::sort(gaps.begin(), gaps.end());
     const double limit = std::min(gaps[static_cast<std::size_t>(round) % 12], reach);
-    const auto expected = static_cast<std::size_t>(
-        std::upper_bound(gaps.begin(), gaps.end(), limit) - gaps.begin());
+    const auto expected =
+        static_cast<std::size_t>(std::upper_bound(gaps.begin(), gaps.end(), limit) - gaps.begin());
     std::array<std::uint32_t, 8> nearest;
     const std::size_t found = set.find_nearest(point, limit, nearest);
     REQUIRE(found == std::min<std::size_t>(8, expected));

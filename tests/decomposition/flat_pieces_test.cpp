@@ -25,7 +25,9 @@ TriangleMesh make_notched_cube() {
       for (double x : at) mesh.vertices.emplace_back(x, y, z);
     }
   }
-  const auto corner = [](int i, int j, int k) { return static_cast<std::uint32_t>(i + 5 * (j + 5 * k)); };
+  const auto corner = [](int i, int j, int k) {
+    return static_cast<std::uint32_t>(i + 5 * (j + 5 * k));
+  };
   for (int k = 0; k < 4; ++k) {
     for (int j = 0; j < 4; ++j) {
       for (int i = 0; i < 4; ++i) {

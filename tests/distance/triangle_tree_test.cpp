@@ -1,7 +1,6 @@
-#include "features/distance/closest_point.h"
-
 #include <catch2/catch.hpp>
 
+#include "features/distance/closest_point.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/sample_meshes.h"
 
