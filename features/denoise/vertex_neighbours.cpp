@@ -41,7 +41,7 @@ VertexNeighbours find_neighbours(const TriangleMesh& mesh) {
       const std::uint32_t neighbour = result.vertices[first];
       while (end < last && result.vertices[end] == neighbour) ++end;
       result.vertices[kept] = neighbour;
-      result.is_open[kept++] = end - first == 1;
+      result.is_open[kept++] = end - first == 1 ? 1 : 0;
     }
   }
   result.begin.back() = kept;
