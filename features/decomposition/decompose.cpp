@@ -21,12 +21,17 @@ constexpr double rank_tie = 1e-10;
 // Two climbs that end so close in rank (relative to it) and place (relative to R) found the same.
 constexpr double same_rank = 1e-7;
 constexpr double same_place = 1e-7;
+// A ball of equal rank is the same only within this distance, relative to its radius: twins on both
+// sides of a plane of symmetry overlap, too.
+constexpr double twin_distance = 1e-2;
+// Distances from the centroid that differ by less, relative to R, are equal.
+constexpr double same_distance = 1e-6;
 // Where the rank is lower than this, relative to the best, no candidate of equal rank is close.
-constexpr double near_tie = 0.9;
+constexpr double near_tie = 0.9999;
 // A ball whose centre is farther from that of the enclosing ball, relative to R, is eccentric.
 constexpr double least_eccentricity = 1e-2;
 // How much work goes into telling near-equal maxima apart: for one ball, and for all.
-constexpr std::uint64_t most_choice_work = 10'000;
+constexpr std::uint64_t most_choice_work = 25'000;
 constexpr std::uint64_t all_choice_work = 250'000;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t overlapped = std::numeric_limits<std::size_t>::max();
@@ -93,6 +98,12 @@ class NodePool {
   std::vector<std::uint32_t> free_;
 };
 
+// How much the place of a ball counts (Preference): enough to tell balls apart whose radii differ
+// by the rounding of a file, and a part of the tolerance.
+double preference_weight(const DecompositionOptions& options) {
+  return std::min(1e-4, 0.1 * options.radius_tolerance);
+}
+
 // Branch and bound over an octree, one heap for the whole run. The top of the heap bounds the rank
 // of every ball still possible; bounds only fall as balls are placed, so they are brought up to
 // date when a cell reaches the top.
@@ -100,7 +111,9 @@ class Search {
  public:
   Search(RemainingSpace& space, const Ball& enclosing, const DecompositionOptions& options)
       : options_(options), space_(space), scale_(enclosing.radius) {
-    keep(add({Cell(enclosing.center, scale_, scale_ * (1.0 + Preference::weight))}));
+    const double weight = preference_weight(options);
+    rank_tolerance_ = (options.radius_tolerance - weight) / (1.0 + weight);
+    keep(add({Cell(enclosing.center, scale_, scale_ * (1.0 + weight))}));
   }
 
   // Places the next ball. @returns false if there is none
@@ -132,7 +145,7 @@ class Search {
       const double bound = cells_.top().bound;
       const double best = best_rank();
       if (bound <= enough()) break;
-      const bool is_choice = bound <= best * (1.0 + options_.radius_tolerance);
+      const bool is_choice = bound <= best * (1.0 + rank_tolerance_);
       if (is_choice && left == 0) return bound;
       if (is_full() && is_exhausted(cells_.top().cell)) {
         give_up_top();
@@ -224,7 +237,7 @@ class Search {
     const double best = best_rank();
     const double rank = rank_at_center(cell);
     return rank > best ||
-           (rank > near_tie * best && cell.bound() <= best * (1.0 + options_.radius_tolerance));
+           (rank > near_tie * best && cell.bound() <= best * (1.0 + rank_tolerance_));
   }
 
   // Finds the candidate of a promising cell.
@@ -256,11 +269,11 @@ class Search {
     return none;
   }
 
-  // Whether nothing in a cell ranks higher than a candidate, and what ranks equally overlaps it.
+  // Whether nothing in a cell ranks higher than a candidate, and what ranks equally is the same.
   static bool resolves(const LocalMaximum& maximum, const Cell& cell) {
     const double reach = cell.reach(maximum.ball.center);
-    return reach <= maximum.basin_radius ||
-           (cell.bound() <= maximum.rank * (1.0 + rank_tie) && reach < maximum.ball.radius);
+    return reach <= maximum.basin_radius || (cell.bound() <= maximum.rank * (1.0 + rank_tie) &&
+                                             reach < twin_distance * maximum.ball.radius);
   }
 
   // The same local maximum, if it is known.
@@ -342,18 +355,28 @@ class Search {
     return ranking_.empty() ? minimum_radius() : ranking_.begin()->rank;
   }
 
-  // The best candidate; among equals the one nearest to the last ball. `none` if there is none.
+  // The best candidate. Among equals the one farthest from the centroid, which tells the two sides
+  // of a shape apart that is nearly symmetric; then the one nearest to the last ball. `none` if
+  // there is none.
   std::uint32_t choose(std::span<const Ball> placed) {
     const double least = best_rank() * (1.0 - rank_tie);
+    const Eigen::Vector3d centroid = space_.centroid();
     std::uint32_t chosen = none;
-    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = 0.0;
+    double nearest = 0.0;
     for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
       if (!is_clear(it->candidate)) continue;
-      const Ball& ball = candidates_[it->candidate].maximum.ball;
-      const double distance = placed.empty() ? 0.0 : (ball.center - placed.back().center).norm();
-      if (chosen != none && distance >= nearest - same_place * scale_) continue;
+      const Eigen::Vector3d& center = candidates_[it->candidate].maximum.ball.center;
+      const double from_centroid = (center - centroid).norm();
+      const double from_last = placed.empty() ? 0.0 : (center - placed.back().center).norm();
+      const double lead = from_centroid - farthest;
+      const bool is_better =
+          lead > same_distance * scale_ ||
+          (lead >= -same_distance * scale_ && from_last < nearest - same_place * scale_);
+      if (chosen != none && !is_better) continue;
       chosen = it->candidate;
-      nearest = distance;
+      farthest = from_centroid;
+      nearest = from_last;
     }
     return chosen;
   }
@@ -361,6 +384,7 @@ class Search {
   DecompositionOptions options_;
   RemainingSpace& space_;
   double scale_;
+  double rank_tolerance_;  // by as much may a rank be below the largest possible
   NodePool nodes_;
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
@@ -376,7 +400,9 @@ class Search {
 class Run {
  public:
   Run(const DistanceField& field, const DecompositionOptions& options)
-      : options_(options), enclosing_(field.enclosing_ball()), space_(field) {
+      : options_(options),
+        enclosing_(field.enclosing_ball()),
+        space_(field, Preference::outward(enclosing_, preference_weight(options))) {
     result_.scale = enclosing_.radius;
     result_.is_certified = space_.is_closed();
   }
@@ -384,7 +410,8 @@ class Run {
   BallDecomposition run() {
     const bool has_more = search([&] { return is_eccentric(result_.balls.back()); });
     if (has_more) {
-      space_.prefer(Preference::opposite(enclosing_, result_.balls.back()));
+      space_.prefer(
+          Preference::opposite(enclosing_, result_.balls.back(), preference_weight(options_)));
       search([] { return false; });
     }
     if (!is_complete()) result_.termination = reason();

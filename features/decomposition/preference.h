@@ -24,13 +24,11 @@ struct CubePreference {
 ///
 /// The decision is part of what is maximised: rank(x) = d_i(x) * factor(x), where the factor grows
 /// with the distance from 1 to 1 + weight. A ball that wins by its place is smaller than the
-/// largest by at most `weight`, relative to its radius.
+/// largest by at most the weight, relative to its radius.
 class Preference {
  public:
-  static constexpr double weight = 1e-5;
-
   /// For the first balls: away from the centre of the enclosing ball.
-  static Preference outward(const Ball& enclosing) {
+  static Preference outward(const Ball& enclosing, double weight) {
     return {enclosing.center, 0.0, weight / enclosing.radius};
   }
 
@@ -38,7 +36,7 @@ class Preference {
   /// that balls of equal radius fill a shape in nearly plane layers, beginning opposite to that
   /// ball.
   /// @pre first is not in the centre
-  static Preference opposite(const Ball& enclosing, const Ball& first) {
+  static Preference opposite(const Ball& enclosing, const Ball& first, double weight) {
     constexpr double distance = 10.0;  // of the point of reference, in R
     const Eigen::Vector3d direction = (first.center - enclosing.center).normalized();
     return {enclosing.center + distance * enclosing.radius * direction,

@@ -15,10 +15,8 @@ namespace mdbd {
 /// d_i(x) = min( d(x), min_{j<i} |x - c_j| - r_j ) (paper, B.2). Counts its distance queries.
 class RemainingSpace {
  public:
-  explicit RemainingSpace(const DistanceField& field)
-      : field_(field),
-        preference_(Preference::outward(field.enclosing_ball())),
-        balls_(field.enclosing_ball()) {}
+  RemainingSpace(const DistanceField& field, const Preference& preference)
+      : field_(field), preference_(preference), balls_(field.enclosing_ball()) {}
 
   /// Measures the solid alone.
   DistanceSample measure_solid(const DistanceQuery& query) {
@@ -41,6 +39,7 @@ class RemainingSpace {
   const Preference& preference() const { return preference_; }
   /// Ranks by another preference; all ranks and their bounds from before are void.
   void prefer(const Preference& preference) { preference_ = preference; }
+  Eigen::Vector3d centroid() const { return field_.centroid(); }
   bool is_closed() const { return field_.is_closed(); }
   const BallSet& balls() const { return balls_; }
   /// @param bound no ball that is placed later is larger

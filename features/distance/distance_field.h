@@ -52,6 +52,10 @@ class DistanceField {
   /// The smallest ball that encloses the boundary; its radius is the scale R. Positive radius.
   virtual Ball enclosing_ball() const = 0;
 
+  /// The centroid of the boundary: where the mass would rest. It tells apart what distances find
+  /// equal. A representation that does not know it has the centre of the enclosing ball.
+  virtual Eigen::Vector3d centroid() const { return enclosing_ball().center; }
+
   /// Whether the boundary is closed, so that the sign changes at the boundary alone.
   virtual bool is_closed() const = 0;
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "features/core/errors.h"
 #include "features/distance/closest_point.h"
 #include "features/distance/enclosing_ball.h"
@@ -14,10 +16,26 @@ const TriangleMesh& require_triangles(const TriangleMesh& mesh) {
   return mesh;
 }
 
+// Of the surface, measured from a point near it, for the sake of rounding.
+Eigen::Vector3d surface_centroid(const TriangleMesh& mesh, const Eigen::Vector3d& origin) {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3d p = mesh.vertices[a] - origin;
+    const Eigen::Vector3d q = mesh.vertices[b] - origin;
+    const Eigen::Vector3d r = mesh.vertices[c] - origin;
+    const double doubled = (q - p).cross(r - p).norm();
+    moment += doubled / 3.0 * (p + q + r);
+    area += doubled;
+  }
+  return area > 0 ? Eigen::Vector3d(origin + moment / area) : origin;
+}
+
 }  // namespace
 
 MeshDistanceField::MeshDistanceField(const TriangleMesh& mesh, bool is_closed)
     : enclosing_ball_(mdbd::enclosing_ball(require_triangles(mesh).vertices)),
+      centroid_(surface_centroid(mesh, enclosing_ball_.center)),
       is_closed_(is_closed),
       tree_(mesh),
       winding_number_(tree_),

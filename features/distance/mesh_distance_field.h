@@ -22,6 +22,7 @@ class MeshDistanceField final : public DistanceField {
 
   using DistanceField::measure;
   Ball enclosing_ball() const override { return enclosing_ball_; }
+  Eigen::Vector3d centroid() const override { return centroid_; }
   bool is_closed() const override { return is_closed_; }
   void measure(std::span<const DistanceQuery> queries,
                std::span<DistanceSample> samples) const override;
@@ -30,6 +31,7 @@ class MeshDistanceField final : public DistanceField {
   ConvexPolygon piece_of(std::uint32_t triangle) const;
 
   Ball enclosing_ball_;
+  Eigen::Vector3d centroid_;
   bool is_closed_;
   TriangleTree tree_;
   WindingNumber winding_number_;

@@ -144,3 +144,9 @@ TEST_CASE("a notch decides which end of a rectangle is filled first") {
   // The corners at the notch have no room for what the others hold.
   CHECK(count_of(radii, plain[2]) < count_of(plain, plain[2]));
 }
+
+// All corners of the plate are equally good for the first ball; the slot says which is the best.
+TEST_CASE("equally good first balls are told apart by those that follow") {
+  const Outline slotted{{0, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 1.5}, {0.6, 1.5}, {0.6, 0.9}, {0, 0.9}};
+  canonical_radii(make_prism(slotted, 0.3), 100, 1e-5);
+}

@@ -6,6 +6,7 @@
 #include "tests/support/analytic_fields.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/sample_meshes.h"
+#include "tests/support/whole_space.h"
 
 using namespace mdbd;
 using namespace mdbd::test;
@@ -16,7 +17,7 @@ namespace {
 // its bound.
 template <typename Field>
 void check_bounds(const Field& field, const std::vector<Ball>& balls, double reach) {
-  RemainingSpace space(field);
+  RemainingSpace space = whole_space(field);
   for (const Ball& ball : balls) space.place(ball, 1.0);
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
@@ -72,7 +73,7 @@ TEST_CASE("the bound of a small cell on a plate is second order") {
   const double thickness = 0.1;
   const BoxField plate({1.0, 1.0, thickness});
   for (const double half_size : {0.03, 0.01, 0.003}) {
-    RemainingSpace space(plate);
+    RemainingSpace space = whole_space(plate);
     Cell cell({0.2, 0.3, 0.5 * half_size}, half_size, 1.0);
     cell.measure(space, 0.0);
     while (cell.wants_probe()) cell.probe(space, 0.0);

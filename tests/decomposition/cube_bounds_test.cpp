@@ -15,8 +15,10 @@ using namespace mdbd::test;
 
 namespace {
 
+constexpr double weight = 1e-4;
+
 const Preference& preference() {
-  static const Preference outward = Preference::outward({{0.1, 0.2, 0.3}, 2.0});
+  static const Preference outward = Preference::outward({{0.1, 0.2, 0.3}, 2.0}, weight);
   return outward;
 }
 
@@ -96,7 +98,7 @@ TEST_CASE("bounds are second order in small cubes, and exact above a flat piece"
   for (const double half_size : {0.1, 0.01, 0.001}) {
     const CubeBounds bounds = bound_over_cube(lanes, preference(), center, half_size);
     const double rank = preference().factor(center);
-    const double rounding = 10.0 * Preference::weight * half_size * half_size;
+    const double rounding = 10.0 * weight * half_size * half_size;
     CHECK(bounds.offset[0] >= rank);
     CHECK(bounds.offset[0] <= rank + rounding);
     CHECK(bounds.offset[1] >= rank);

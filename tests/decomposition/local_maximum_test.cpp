@@ -4,6 +4,7 @@
 
 #include "tests/support/analytic_fields.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/whole_space.h"
 
 using namespace mdbd;
 using namespace mdbd::test;
@@ -12,7 +13,7 @@ TEST_CASE("from anywhere in a cube the climb ends in the middle") {
   const BoxField cube({1.0, 1.0, 1.0});
   std::mt19937 random(1);
   for (int i = 0; i < 50; ++i) {
-    RemainingSpace space(cube);
+    RemainingSpace space = whole_space(cube);
     const LocalMaximum maximum = find_local_maximum(space, random_point(random, 0.95), 0.1, 1e-13);
     CHECK(maximum.ball.radius == Approx(1.0).epsilon(1e-10));
     CHECK(maximum.ball.center.norm() < 1e-9);
@@ -25,7 +26,7 @@ TEST_CASE("the second ball of a cube touches three faces and the first ball") {
   std::mt19937 random(2);
   for (int i = 0; i < 50; ++i) {
     const BoxField cube({1.0, 1.0, 1.0});
-    RemainingSpace remaining(cube);
+    RemainingSpace remaining = whole_space(cube);
     remaining.place({{0, 0, 0}, 1.0}, 1.0);
     const Eigen::Vector3d start = Eigen::Vector3d::Constant(0.8) + random_point(random, 0.1);
     const LocalMaximum maximum = find_local_maximum(remaining, start, 0.05, 1e-13);
@@ -35,7 +36,7 @@ TEST_CASE("the second ball of a cube touches three faces and the first ball") {
 
 TEST_CASE("a ball that can slide has no basin") {
   const BoxField rod({2.0, 0.5, 0.5});
-  RemainingSpace space(rod);
+  RemainingSpace space = whole_space(rod);
   const LocalMaximum maximum = find_local_maximum(space, {0.1, 0.1, 0.1}, 0.1, 1e-13);
   CHECK(maximum.ball.radius == Approx(0.5).epsilon(1e-10));
   CHECK(maximum.basin_radius < 1e-3);
@@ -45,7 +46,7 @@ TEST_CASE("no centre in the basin admits a larger ball") {
   const BoxField box({1.0, 0.8, 0.6});
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
-    RemainingSpace space(box);
+    RemainingSpace space = whole_space(box);
     const std::vector<Ball> balls{{{0.2, 0.1, 0.0}, 0.6}};
     space.place(balls[0], 0.6);
     const Eigen::Vector3d start(0.9, 0.7, 0.5);
