@@ -13,7 +13,7 @@ DescribedModels describe_models(const EvaluationInput& input, std::span<const La
   DescribedModels described = input.cache.describe(models, variant);
   if (input.signature == SignatureKind::mdbd_fused) {
     for (auto& model : described) {
-      if (model) model->descriptor = compute_fused_signature(model->balls, model->scale);
+      if (model) model->descriptor = compute_fused_signature(model->balls);
     }
   }
   return described;

@@ -29,7 +29,7 @@ std::vector<float> stored_vector(const ShapeStore& store, const ShapeRecord& rec
                                  SignatureKind signature) {
   ShapeData data = store.data(record.id);
   if (signature == SignatureKind::mdbd_100) return std::move(data.signature);
-  return data.fused.empty() ? compute_fused_signature(data.balls, record.scale)
+  return data.fused.empty() ? compute_fused_signature(data.balls)
                             : std::move(data.fused);
 }
 

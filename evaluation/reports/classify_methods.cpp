@@ -43,7 +43,7 @@ void recompute_signatures(CleanModels& clean, const EvaluationInput& input, int 
     decomposition.scale = model.scale;
     model.descriptor = input.signature == SignatureKind::mdbd_100
                            ? compute_descriptor(decomposition, input.cache.recipe()).values
-                           : compute_fused_signature(decomposition.balls, decomposition.scale);
+                           : compute_fused_signature(decomposition.balls);
   }
 }
 

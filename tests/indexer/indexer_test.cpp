@@ -133,7 +133,7 @@ TEST_CASE("models without mdbd-fused gain it from their balls, and nothing is de
   c.write("bad.off", "bad");
   CHECK(c.run().completed == 2);  // the description of these tests has none
   const std::int64_t id = c.record("b.off")->id;
-  CHECK(c.store->data(id).fused == compute_fused_signature(c.store->data(id).balls, 3.0));
+  CHECK(c.store->data(id).fused == compute_fused_signature(c.store->data(id).balls));
   CHECK(c.run().completed == 0);
   c.store->put_vector(id, "mdbd-fused/0", std::vector<float>{1});
   ShapeData without = c.store->data(id);

@@ -18,7 +18,7 @@ std::int64_t put_model(ShapeStore& store, const std::string& path, unsigned seed
   ShapeData data{.balls = random_balls(30, seed),
                  .signature = std::vector<float>(100, static_cast<float>(seed)),
                  .fused = {}};
-  if (has_fused) data.fused = compute_fused_signature(data.balls, record.scale);
+  if (has_fused) data.fused = compute_fused_signature(data.balls);
   return store.put(record, data);
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("a model without mdbd-fused in the database is found all the same, by 
   CHECK(answer.result.matches[1].path == "/twin.off");
   CHECK(answer.result.matches[1].distance == 0.0);
   CHECK(answer.result.matches[2].distance > 0.1);
-  store->put_vector(old, stored_mdbd_fused, compute_fused_signature(random_balls(30, 1), 5.0));
+  store->put_vector(old, stored_mdbd_fused, compute_fused_signature(random_balls(30, 1)));
   CHECK(query_by_id(*store, old, 3, SignatureKind::mdbd_fused).completed == 0);
 }
 

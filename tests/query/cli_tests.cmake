@@ -36,9 +36,9 @@ query_test(fused COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --
   REGEXP "rank +distance +model\n +1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n"
          "Compared with 3 models; the answer is exact\\.\n$")
 query_test(fused_csv COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --csv
-  REGEXP "^rank,id,path,distance,placement_distance,solid_distance,pairs_distance,radii_distance,axes_distance,scale\n1,1,")
+  REGEXP "^rank,id,path,distance,solid_distance,near_distance,middle_distance,far_distance,bulk_distance,scale\n1,1,")
 query_test(explain COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain
-  REGEXP "rank +distance +placement% +solid% +pairs% +radii% +axes%  model\n +1 +0\\.000000 +0 ")
+  REGEXP "rank +distance +solid% +near% +middle% +far% +bulk%  model\n +1 +0\\.000000 +0 ")
 query_test(unknown_signature COMMAND mdbd-query --id 1 --signature mdbd-7 EXIT 2 REGEXP "--signature")
 query_test(unknown_id COMMAND mdbd-query --id 999 --db ${database} EXIT 1
   REGEXP "mdbd-query: error: no model of the database has id 999")
