@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kinds = surroundings_kinds.size();
 constexpr SoftBins proportion_bins{0.0, 1.0, surroundings_nodes};
 
-/// Weighted sums over balls of 1, x, y, z, r^2, xx, yy, zz, xy, xz, yz with the ball in the middle
-/// as the origin; the twelfth is there for the vector unit.
+/// 1, x, y, z, r^2, xx, yy, zz, xy, xz, yz of a ball, times r^3, or weighted sums of them; the
+/// twelfth is there for the vector unit.
 using Moments = Eigen::Array<double, 12, 1>;
 
 SoftBins trait_bins(SurroundingsTrait trait) {
@@ -33,36 +33,38 @@ double reach_of(const Surroundings& kind, double radius, double largest) {
   return kind.reach * (kind.unit == ReachUnit::own_radius ? radius : largest);
 }
 
-Moments moments_of(const Ball& ball, const Eigen::Vector3d& offset) {
-  const double x = offset.x();
-  const double y = offset.y();
-  const double z = offset.z();
-  Moments moments;
-  moments << 1.0, x, y, z, ball.radius * ball.radius, x * x, y * y, z * z, x * y, x * z, y * z, 0.0;
-  return ball.radius * ball.radius * ball.radius * moments;
+std::vector<Moments> moments_of(std::span<const Ball> balls) {
+  std::vector<Moments> result;
+  result.reserve(balls.size());
+  for (const Ball& ball : balls) {
+    const double x = ball.center.x();
+    const double y = ball.center.y();
+    const double z = ball.center.z();
+    const double square = ball.radius * ball.radius;
+    Moments moments;
+    moments << 1.0, x, y, z, square, x * x, y * y, z * z, x * y, x * z, y * z, 0.0;
+    result.push_back(square * ball.radius * moments);
+  }
+  return result;
 }
 
-std::array<Moments, kinds> gather(std::span<const Ball> balls, const Ball& middle, double largest) {
-  std::array<Moments, kinds> sums;
-  std::array<double, kinds> inverse_squares{};
-  double farthest = 0.0;
-  for (std::size_t kind = 0; kind < kinds; ++kind) {
-    sums[kind].setZero();
-    const double reach = reach_of(surroundings_kinds[kind], middle.radius, largest);
-    inverse_squares[kind] = 1 / (reach * reach);
-    farthest = std::max(farthest, reach * reach);
+void square_distances(std::span<const Ball> balls, const Eigen::Vector3d& from,
+                      std::span<double> squares) {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    squares[i] = (balls[i].center - from).squaredNorm();
   }
-  for (const Ball& ball : balls) {
-    const Eigen::Vector3d offset = ball.center - middle.center;
-    const double squared_distance = offset.squaredNorm();
-    if (squared_distance >= farthest) continue;
-    const Moments moments = moments_of(ball, offset);
-    for (std::size_t kind = 0; kind < kinds; ++kind) {
-      const double nearness = 1 - squared_distance * inverse_squares[kind];
-      if (nearness > 0) sums[kind] += nearness * nearness * moments;
-    }
+}
+
+/// The weighted sum of the moments of the balls within a reach.
+/// @param squares of the balls' distances from the middle
+Moments gather(std::span<const double> squares, std::span<const Moments> moments, double reach) {
+  const double inverse_square = 1 / (reach * reach);
+  Moments sum = Moments::Zero();
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const double nearness = 1 - squares[i] * inverse_square;
+    if (nearness > 0) sum += nearness * nearness * moments[i];
   }
-  return sums;
+  return sum;
 }
 
 /// The principal extents, squared, in increasing order.
@@ -73,21 +75,22 @@ Eigen::Vector3d squared_extents(const Moments& sums, const Eigen::Vector3d& cent
       means[8], means[6], means[10],        //
       means[9], means[10], means[7];
   moments -= centroid * centroid.transpose();
-  // A ball's own second moment along each axis.
-  moments.diagonal().array() += means[4] / 5;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  // A ball's own second moment along each axis: none is smaller, but for rounding.
+  const double own = means[4] / 5;
+  moments.diagonal().array() += own;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().cwiseMax(own);
 }
 
-double trait_of(SurroundingsTrait trait, const Moments& sums, const Eigen::Vector3d& centroid,
-                double reach, double size) {
+double trait_of(SurroundingsTrait trait, double mass, double offset, double reach, double size) {
   switch (trait) {
     case SurroundingsTrait::offset:
-      return centroid.norm() / reach;
+      return offset / reach;
     case SurroundingsTrait::fill:
       // The weights of a space that is solid throughout have the integral 32 pi / 105 h^3, and the
       // sum has r^3 where a ball's volume is 4 pi / 3 r^3.
-      return std::log2(sums[0] / (reach * reach * reach) * (105.0 / 24));
+      return std::log2(mass / (reach * reach * reach) * (105.0 / 24));
     case SurroundingsTrait::size:
       return size;
   }
@@ -109,10 +112,10 @@ void add(SurroundingsShares& shares, double weight, const std::array<SoftBin, 3>
 }
 
 std::array<SoftBin, 3> find_nodes(const Surroundings& kind, const Moments& sums, const Ball& middle,
-                                  double largest) {
+                                  double reach, double largest) {
   const Eigen::Vector3d centroid = sums.segment<3>(1) / sums[0];
   const Eigen::Vector3d squares = squared_extents(sums, centroid);
-  const double trait = trait_of(kind.trait, sums, centroid, reach_of(kind, middle.radius, largest),
+  const double trait = trait_of(kind.trait, sums[0], (centroid - middle.center).norm(), reach,
                                 std::log2(middle.radius / largest));
   return {proportion_bins.find(std::sqrt(squares[1] / squares[2])),
           proportion_bins.find(std::sqrt(squares[0] / squares[1])),
@@ -125,12 +128,17 @@ std::array<SurroundingsShares, kinds> ball_surroundings(std::span<const Ball> ba
   const double largest = std::ranges::max(balls, {}, &Ball::radius).radius;
   double total = 0.0;
   for (const Ball& ball : balls) total += ball.radius * ball.radius;
+  const std::vector<Moments> moments = moments_of(balls);
+  std::vector<double> squares(balls.size());
   std::array<SurroundingsShares, kinds> shares{};
   for (const Ball& middle : balls) {
-    const std::array<Moments, kinds> sums = gather(balls, middle, largest);
+    square_distances(balls, middle.center, squares);
     const double weight = middle.radius * middle.radius / total;
-    for (std::size_t kind = 0; kind < kinds; ++kind) {
-      add(shares[kind], weight, find_nodes(surroundings_kinds[kind], sums[kind], middle, largest));
+    for (std::size_t i = 0; i < kinds; ++i) {
+      const Surroundings& kind = surroundings_kinds[i];
+      const double reach = reach_of(kind, middle.radius, largest);
+      const Moments sums = gather(squares, moments, reach);
+      add(shares[i], weight, find_nodes(kind, sums, middle, reach, largest));
     }
   }
   return shares;

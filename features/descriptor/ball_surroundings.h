@@ -55,8 +55,7 @@ using SurroundingsShares = std::array<double, surroundings_size>;
 /// Each ball counts with the weight r^2, its surface. Nothing depends on how long or how numerous
 /// the parts of the shape are as long as they look alike. Continuous in the balls; no rigid motion,
 /// reflection or uniform scaling changes it.
-/// @param balls disjoint, in any unit in which cubes of lengths are finite; radii above 0; at least
-///        one
+/// @param balls in the frame of to_solid_frame(), at least one
 /// @returns for each of surroundings_kinds at [(i * surroundings_nodes + j) * surroundings_nodes +
 ///          k] the share of node i of e2 / e1, from 0 to 1, node j of e3 / e2, from 0 to 1, and
 ///          node k of the trait: offset from 0 to 0.4, fill from -4 to 1, size from -5 to 0, what

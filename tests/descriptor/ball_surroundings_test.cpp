@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 #include <catch2/catch.hpp>
 
+#include "features/descriptor/solid_frame.h"
 #include "tests/support/ball_clouds.h"
 
 using namespace mdbd;
@@ -97,7 +98,7 @@ std::vector<double> expected_shares(const std::vector<Ball>& balls, const Surrou
   return shares;
 }
 
-/// Balls of radius 0.5 on a grid, as far apart as they are wide.
+/// Equal balls on a grid, each touching the next.
 std::vector<Ball> grid(int columns, int rows, int layers) {
   std::vector<Ball> balls;
   for (int x = 0; x < columns; ++x) {
@@ -105,7 +106,7 @@ std::vector<Ball> grid(int columns, int rows, int layers) {
       for (int z = 0; z < layers; ++z) balls.push_back({Eigen::Vector3d(x, y, z), 0.5});
     }
   }
-  return balls;
+  return to_solid_frame(balls);
 }
 
 /// The share of the balls by the node of a proportion: axis 0 of e2 / e1, axis 1 of e3 / e2.
@@ -122,7 +123,7 @@ std::array<double, surroundings_nodes> marginal(const SurroundingsShares& shares
 }  // namespace
 
 TEST_CASE("surroundings are what their definition says") {
-  const std::vector<Ball> balls = random_balls(60, 7);
+  const std::vector<Ball> balls = to_solid_frame(random_balls(60, 7));
   const auto found = ball_surroundings(balls);
   for (std::size_t kind = 0; kind < surroundings_kinds.size(); ++kind) {
     const std::vector<double> expected = expected_shares(balls, surroundings_kinds[kind]);
@@ -133,7 +134,7 @@ TEST_CASE("surroundings are what their definition says") {
 }
 
 TEST_CASE("the shares of each kind sum to 1") {
-  for (const SurroundingsShares& shares : ball_surroundings(random_balls(100, 2))) {
+  for (const SurroundingsShares& shares : ball_surroundings(to_solid_frame(random_balls(100, 2)))) {
     CHECK(std::accumulate(shares.begin(), shares.end(), 0.0) == Approx(1.0));
   }
 }
@@ -161,7 +162,7 @@ TEST_CASE("a longer rod has nearly the same surroundings") {
 }
 
 TEST_CASE("a ball alone is its own surroundings: a lump around its centre") {
-  const auto found = ball_surroundings(std::vector<Ball>{{{4, 5, 6}, 2.0}});
+  const auto found = ball_surroundings(std::vector<Ball>{{{0, 0, 0}, 1.3}});
   const std::size_t lump = surroundings_size - surroundings_nodes;
   CHECK(found[0][lump] == Approx(1.0));      // no offset
   CHECK(found[1][lump] == Approx(1.0));      // no offset

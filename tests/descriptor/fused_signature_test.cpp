@@ -106,7 +106,7 @@ TEST_CASE("each number is the softened root of its part, times the weight") {
     }
   };
   check(0, solid_harmonics(solid));
-  const auto surroundings = ball_surroundings(balls);
+  const auto surroundings = ball_surroundings(solid);
   for (std::size_t kind = 0; kind < surroundings.size(); ++kind)
     check(1 + kind, surroundings[kind]);
 }
