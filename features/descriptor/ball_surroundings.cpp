@@ -5,29 +5,14 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "features/descriptor/soft_bins.h"
-
 namespace mdbd {
 namespace {
 
 constexpr std::size_t kinds = surroundings_kinds.size();
-constexpr SoftBins proportion_bins{0.0, 1.0, surroundings_nodes};
 
 /// 1, x, y, z, r^2, xx, yy, zz, xy, xz, yz of a ball, times r^3, or weighted sums of them; the
 /// twelfth is there for the vector unit.
 using Moments = Eigen::Array<double, 12, 1>;
-
-SoftBins trait_bins(SurroundingsTrait trait) {
-  switch (trait) {
-    case SurroundingsTrait::offset:
-      return {0.0, 0.4, surroundings_nodes};
-    case SurroundingsTrait::fill:
-      return {-4.0, 1.0, surroundings_nodes};
-    case SurroundingsTrait::size:
-      return {-5.0, 0.0, surroundings_nodes};
-  }
-  return {};
-}
 
 double reach_of(const Surroundings& kind, double radius, double largest) {
   return kind.reach * (kind.unit == ReachUnit::own_radius ? radius : largest);
@@ -117,9 +102,9 @@ std::array<SoftBin, 3> find_nodes(const Surroundings& kind, const Moments& sums,
   const Eigen::Vector3d squares = squared_extents(sums, centroid);
   const double trait = trait_of(kind.trait, sums[0], (centroid - middle.center).norm(), reach,
                                 std::log2(middle.radius / largest));
-  return {proportion_bins.find(std::sqrt(squares[1] / squares[2])),
-          proportion_bins.find(std::sqrt(squares[0] / squares[1])),
-          trait_bins(kind.trait).find(trait)};
+  return {proportion_nodes.find(std::sqrt(squares[1] / squares[2])),
+          proportion_nodes.find(std::sqrt(squares[0] / squares[1])),
+          trait_nodes(kind.trait).find(trait)};
 }
 
 }  // namespace

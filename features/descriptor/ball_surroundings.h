@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "features/core/ball.h"
+#include "features/descriptor/soft_bins.h"
 
 /// What each ball lies in: the end or the middle of a rod, a plate, a lump.
 namespace mdbd {
@@ -42,6 +43,21 @@ inline constexpr std::array<Surroundings, 4> surroundings_kinds{
 inline constexpr std::size_t surroundings_nodes = 4;
 inline constexpr std::size_t surroundings_size =
     surroundings_nodes * surroundings_nodes * surroundings_nodes;
+
+/// The nodes of e2 / e1 and of e3 / e2 …
+inline constexpr SoftBins proportion_nodes{0.0, 1.0, surroundings_nodes};
+/// … and those of a trait.
+constexpr SoftBins trait_nodes(SurroundingsTrait trait) {
+  switch (trait) {
+    case SurroundingsTrait::offset:
+      return {0.0, 0.4, surroundings_nodes};
+    case SurroundingsTrait::fill:
+      return {-4.0, 1.0, surroundings_nodes};
+    case SurroundingsTrait::size:
+      return {-5.0, 0.0, surroundings_nodes};
+  }
+  return {};
+}
 
 /// The shares of the nodes of one kind of surroundings.
 using SurroundingsShares = std::array<double, surroundings_size>;
