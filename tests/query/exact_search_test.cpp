@@ -53,7 +53,9 @@ std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
                        vector.path,
                        vector.scale,
                        distance.total,
-                       {distance.radii, distance.walk}});
+                       {distance.radii, distance.walk},
+                       {},
+                       {}});
   }
   std::ranges::sort(matches, [](const Match& a, const Match& b) {
     return std::pair(a.distance, a.path) < std::pair(b.distance, b.path);
