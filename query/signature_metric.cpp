@@ -57,8 +57,6 @@ std::string_view trait_name(SurroundingsTrait trait) {
       return "offset";
     case SurroundingsTrait::fill:
       return "log2 of fill";
-    case SurroundingsTrait::size:
-      return "log2 of size";
   }
   return "";
 }

@@ -14,8 +14,16 @@ constexpr std::size_t kinds = surroundings_kinds.size();
 /// twelfth is there for the vector unit.
 using Moments = Eigen::Array<double, 12, 1>;
 
-double reach_of(const Surroundings& kind, double radius, double largest) {
-  return kind.reach * (kind.unit == ReachUnit::own_radius ? radius : largest);
+double reach_of(const Surroundings& kind, double own_radius, double largest_radius) {
+  switch (kind.unit) {
+    case ReachUnit::own_radius:
+      return kind.reach * own_radius;
+    case ReachUnit::largest_radius:
+      return kind.reach * largest_radius;
+    case ReachUnit::shape_size:
+      return kind.reach;  // in the frame of the solid
+  }
+  return kind.reach;
 }
 
 std::vector<Moments> moments_of(std::span<const Ball> balls) {
@@ -68,7 +76,7 @@ Eigen::Vector3d squared_extents(const Moments& sums, const Eigen::Vector3d& cent
   return solver.eigenvalues().cwiseMax(own);
 }
 
-double trait_of(SurroundingsTrait trait, double mass, double offset, double reach, double size) {
+double trait_of(SurroundingsTrait trait, double mass, double offset, double reach) {
   switch (trait) {
     case SurroundingsTrait::offset:
       return offset / reach;
@@ -76,8 +84,6 @@ double trait_of(SurroundingsTrait trait, double mass, double offset, double reac
       // The weights of a space that is solid throughout have the integral 32 pi / 105 h^3, and the
       // sum has r^3 where a ball's volume is 4 pi / 3 r^3.
       return std::log2(mass / (reach * reach * reach) * (105.0 / 24));
-    case SurroundingsTrait::size:
-      return size;
   }
   return 0.0;
 }
@@ -96,15 +102,14 @@ void add(SurroundingsShares& shares, double weight, const std::array<SoftBin, 3>
   }
 }
 
-std::array<SoftBin, 3> find_nodes(const Surroundings& kind, const Moments& sums, const Ball& middle,
-                                  double reach, double largest) {
+std::array<SoftBin, 3> find_nodes(SurroundingsTrait trait, const Moments& sums,
+                                  const Eigen::Vector3d& middle, double reach) {
   const Eigen::Vector3d centroid = sums.segment<3>(1) / sums[0];
   const Eigen::Vector3d squares = squared_extents(sums, centroid);
-  const double trait = trait_of(kind.trait, sums[0], (centroid - middle.center).norm(), reach,
-                                std::log2(middle.radius / largest));
+  const double value = trait_of(trait, sums[0], (centroid - middle).norm(), reach);
   return {proportion_nodes.find(std::sqrt(squares[1] / squares[2])),
           proportion_nodes.find(std::sqrt(squares[0] / squares[1])),
-          trait_nodes(kind.trait).find(trait)};
+          trait_nodes(trait).find(value)};
 }
 
 }  // namespace
@@ -123,7 +128,7 @@ std::array<SurroundingsShares, kinds> ball_surroundings(std::span<const Ball> ba
       const Surroundings& kind = surroundings_kinds[i];
       const double reach = reach_of(kind, middle.radius, largest);
       const Moments sums = gather(squares, moments, reach);
-      add(shares[i], weight, find_nodes(kind, sums, middle, reach, largest));
+      add(shares[i], weight, find_nodes(kind.trait, sums, middle.center, reach));
     }
   }
   return shares;

@@ -14,15 +14,15 @@ namespace mdbd {
 
 /// By which radius the reach of surroundings is measured.
 enum class ReachUnit {
-  own_radius,     ///< of the ball in the middle
-  largest_radius  ///< of the whole shape
+  own_radius,      ///< of the ball in the middle
+  largest_radius,  ///< of the shape
+  shape_size       ///< the solid's root mean square distance from its centroid
 };
 
 /// What is told of surroundings beside their proportions.
 enum class SurroundingsTrait {
   offset,  ///< how far their centroid lies from the ball, relative to the reach
-  fill,    ///< binary logarithm of the share of their volume that is solid
-  size     ///< binary logarithm of the ball's radius relative to the largest
+  fill     ///< binary logarithm of the share of their volume that is solid
 };
 
 /// The surroundings of a ball out to some reach, and what is told of them.
@@ -34,10 +34,10 @@ struct Surroundings {
 };
 
 inline constexpr std::array<Surroundings, 4> surroundings_kinds{
-    {{"near", 4.0, ReachUnit::own_radius, SurroundingsTrait::offset},
-     {"middle", 6.0, ReachUnit::own_radius, SurroundingsTrait::offset},
-     {"far", 12.0, ReachUnit::own_radius, SurroundingsTrait::size},
-     {"bulk", 2.0, ReachUnit::largest_radius, SurroundingsTrait::fill}}};
+    {{"near", 6.0, ReachUnit::own_radius, SurroundingsTrait::fill},
+     {"bulk", 2.0, ReachUnit::largest_radius, SurroundingsTrait::fill},
+     {"wide", 3.0, ReachUnit::largest_radius, SurroundingsTrait::offset},
+     {"whole", 1.0, ReachUnit::shape_size, SurroundingsTrait::offset}}};
 
 /// The nodes for each of the two proportions and for the trait.
 inline constexpr std::size_t surroundings_nodes = 4;
@@ -53,8 +53,6 @@ constexpr SoftBins trait_nodes(SurroundingsTrait trait) {
       return {0.0, 0.4, surroundings_nodes};
     case SurroundingsTrait::fill:
       return {-4.0, 1.0, surroundings_nodes};
-    case SurroundingsTrait::size:
-      return {-5.0, 0.0, surroundings_nodes};
   }
   return {};
 }
@@ -68,14 +66,14 @@ using SurroundingsShares = std::array<double, surroundings_size>;
 /// centroid have the principal extents e1 >= e2 >= e3 (root mean squares): e2 / e1 and e3 / e2
 /// tell rods, plates and lumps apart (after the dimensionality features of point clouds: Demantke,
 /// Mallet, David, Vallet, Dimensionality Based Scale Selection in 3D Lidar Point Clouds, 2011).
-/// Each ball counts with the weight r^2, its surface. Nothing depends on how long or how numerous
-/// the parts of the shape are as long as they look alike. Continuous in the balls; no rigid motion,
-/// reflection or uniform scaling changes it.
+/// Each ball counts with the weight r^2, its surface. Where the reach is measured by radii, it does
+/// not matter how long or how numerous the parts of the shape are as long as they look alike.
+/// Continuous in the balls; no rotation or reflection changes it.
 /// @param balls in the frame of to_solid_frame(), at least one
 /// @returns for each of surroundings_kinds at [(i * surroundings_nodes + j) * surroundings_nodes +
 ///          k] the share of node i of e2 / e1, from 0 to 1, node j of e3 / e2, from 0 to 1, and
-///          node k of the trait: offset from 0 to 0.4, fill from -4 to 1, size from -5 to 0, what
-///          lies beyond counted at the ends; the shares of a kind sum to 1
+///          node k of the trait: offset from 0 to 0.4, fill from -4 to 1, what lies beyond counted
+///          at the ends; the shares of a kind sum to 1
 std::array<SurroundingsShares, surroundings_kinds.size()> ball_surroundings(
     std::span<const Ball> balls);
 

@@ -22,12 +22,13 @@ struct SignaturePart {
 
 /// The parts of mdbd-fused, in order; all are square roots, softened at zero:
 /// - solid: of solid_harmonics();
-/// - near, middle, far, bulk: of ball_surroundings().
+/// - near, bulk, wide, whole: of ball_surroundings().
 inline constexpr std::array<SignaturePart, 1 + surroundings_kinds.size()> fused_parts = [] {
-  std::array<SignaturePart, 1 + surroundings_kinds.size()> parts{{{"solid", 0, solid_size, 0.04}}};
+  constexpr std::array<double, surroundings_kinds.size()> weights{0.084, 0.08, 0.06, 0.05};
+  std::array<SignaturePart, 1 + surroundings_kinds.size()> parts{{{"solid", 0, solid_size, 0.036}}};
   for (std::size_t i = 1; i < parts.size(); ++i) {
     parts[i] = {surroundings_kinds[i - 1].name, parts[i - 1].first + parts[i - 1].count,
-                surroundings_size, 0.075};
+                surroundings_size, weights[i - 1]};
   }
   return parts;
 }();

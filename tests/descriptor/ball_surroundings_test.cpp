@@ -70,10 +70,9 @@ Found examine(const std::vector<Ball>& balls, const Ball& middle, double reach) 
           (centroid - middle.center).norm() / reach, std::log2(fill)};
 }
 
-double trait_share(const Surroundings& kind, const Found& found, double size, std::size_t node) {
-  if (kind.trait == SurroundingsTrait::offset) return hat(found.offset, 0.0, 0.4, node);
-  if (kind.trait == SurroundingsTrait::fill) return hat(found.fill, -4.0, 1.0, node);
-  return hat(size, -5.0, 0.0, node);
+double trait_share(const Surroundings& kind, const Found& found, std::size_t node) {
+  return kind.trait == SurroundingsTrait::offset ? hat(found.offset, 0.0, 0.4, node)
+                                                 : hat(found.fill, -4.0, 1.0, node);
 }
 
 std::vector<double> expected_shares(const std::vector<Ball>& balls, const Surroundings& kind) {
@@ -82,15 +81,16 @@ std::vector<double> expected_shares(const std::vector<Ball>& balls, const Surrou
   for (const Ball& ball : balls) total += ball.radius * ball.radius;
   std::vector<double> shares(surroundings_size, 0.0);
   for (const Ball& ball : balls) {
-    const Found found = examine(
-        balls, ball, kind.reach * (kind.unit == ReachUnit::own_radius ? ball.radius : largest));
+    double unit = 1.0;
+    if (kind.unit == ReachUnit::own_radius) unit = ball.radius;
+    if (kind.unit == ReachUnit::largest_radius) unit = largest;
+    const Found found = examine(balls, ball, kind.reach * unit);
     std::size_t node = 0;
     for (std::size_t i = 0; i < surroundings_nodes; ++i) {
       for (std::size_t j = 0; j < surroundings_nodes; ++j) {
         for (std::size_t k = 0; k < surroundings_nodes; ++k) {
           shares[node++] += ball.radius * ball.radius / total * hat(found.flatness, 0, 1, i) *
-                            hat(found.thickness, 0, 1, j) *
-                            trait_share(kind, found, std::log2(ball.radius / largest), k);
+                            hat(found.thickness, 0, 1, j) * trait_share(kind, found, k);
         }
       }
     }
@@ -143,18 +143,17 @@ TEST_CASE("a rod, a plate and a lump are told apart by their proportions") {
   const auto rod = ball_surroundings(grid(60, 1, 1));
   const auto plate = ball_surroundings(grid(16, 16, 1));
   const auto lump = ball_surroundings(grid(7, 7, 7));
-  for (const std::size_t kind : {1U, 2U}) {
-    CHECK(marginal(rod[kind], 0)[0] + marginal(rod[kind], 0)[1] > 0.95);
-    CHECK(marginal(plate[kind], 0)[3] + marginal(plate[kind], 0)[2] > 0.9);
-    CHECK(marginal(plate[kind], 1)[0] + marginal(plate[kind], 1)[1] > 0.9);
-    CHECK(marginal(lump[kind], 1)[3] + marginal(lump[kind], 1)[2] > 0.9);
-  }
+  constexpr std::size_t near = 0;
+  CHECK(marginal(rod[near], 0)[0] + marginal(rod[near], 0)[1] > 0.95);
+  CHECK(marginal(plate[near], 0)[3] + marginal(plate[near], 0)[2] > 0.9);
+  CHECK(marginal(plate[near], 1)[0] + marginal(plate[near], 1)[1] > 0.9);
+  CHECK(marginal(lump[near], 1)[3] + marginal(lump[near], 1)[2] > 0.9);
 }
 
-TEST_CASE("a longer rod has nearly the same surroundings") {
+TEST_CASE("a longer rod has nearly the same surroundings out to the reach of its radii") {
   const auto shorter = ball_surroundings(grid(60, 1, 1));
   const auto longer = ball_surroundings(grid(120, 1, 1));
-  for (std::size_t kind = 0; kind < surroundings_kinds.size(); ++kind) {
+  for (std::size_t kind = 0; kind < 3; ++kind) {
     for (std::size_t i = 0; i < surroundings_size; ++i) {
       CHECK(std::abs(shorter[kind][i] - longer[kind][i]) < 0.1);
     }
@@ -162,13 +161,12 @@ TEST_CASE("a longer rod has nearly the same surroundings") {
 }
 
 TEST_CASE("a ball alone is its own surroundings: a lump around its centre") {
-  const auto found = ball_surroundings(std::vector<Ball>{{{0, 0, 0}, 1.3}});
+  const auto found = ball_surroundings(to_solid_frame(std::vector<Ball>{{{4, 5, 6}, 2.0}}));
   const std::size_t lump = surroundings_size - surroundings_nodes;
-  CHECK(found[0][lump] == Approx(1.0));      // no offset
-  CHECK(found[1][lump] == Approx(1.0));      // no offset
-  CHECK(found[2][lump + 3] == Approx(1.0));  // the largest
-  // Of the surroundings 105 / 24 / 2^3 are solid.
-  const double position = (std::log2(105.0 / 192) + 4) / 5 * 3;
-  CHECK(found[3][lump + 1] == Approx(2 - position));
-  CHECK(found[3][lump + 2] == Approx(position - 1));
+  CHECK(found[0][lump] == Approx(1.0));  // 105 / 24 / 6^3 of it solid, less than the first node
+  CHECK(found[2][lump] == Approx(1.0));  // no offset
+  CHECK(found[3][lump] == Approx(1.0));  // no offset
+  const double position = (std::log2(105.0 / 24 / 8) + 4) / 5 * 3;
+  CHECK(found[1][lump + 1] == Approx(2 - position));
+  CHECK(found[1][lump + 2] == Approx(position - 1));
 }

@@ -114,7 +114,7 @@ TEST_CASE("each number is the softened root of its part, times the weight") {
 TEST_CASE("one ball, two balls and none have a signature") {
   const std::vector<float> one = compute_fused_signature(std::vector<Ball>{{{4, 5, 6}, 2.0}});
   const double whole = std::sqrt(1.001) - std::sqrt(0.001);
-  CHECK(part(one, "near")[surroundings_size - surroundings_nodes] == Approx(0.075 * whole));
+  CHECK(part(one, "near")[surroundings_size - surroundings_nodes] == Approx(0.084 * whole));
   for (const float value :
        compute_fused_signature(std::vector<Ball>{{{0, 0, 0}, 1.0}, {{2, 0, 0}, 1.0}})) {
     CHECK(std::isfinite(value));

@@ -36,9 +36,9 @@ query_test(fused COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --
   REGEXP "rank +distance +model\n +1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n"
          "Compared with 3 models; the answer is exact\\.\n$")
 query_test(fused_csv COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --csv
-  REGEXP "^rank,id,path,distance,solid_distance,near_distance,middle_distance,far_distance,bulk_distance,scale\n1,1,")
+  REGEXP "^rank,id,path,distance,solid_distance,near_distance,bulk_distance,wide_distance,whole_distance,scale\n1,1,")
 query_test(explain COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain
-  REGEXP "rank +distance +solid% +near% +middle% +far% +bulk%  model\n +1 +0\\.000000 +0 ")
+  REGEXP "rank +distance +solid% +near% +bulk% +wide% +whole%  model\n +1 +0\\.000000 +0 ")
 query_test(explain_radii COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --explain
   REGEXP " +radii% +walk%  model\n +1 [^\n]*\n +2 [^\n]*\n +(radius|walk sum) [0-9]+: [0-9.]+, in the query ")
 query_test(explain_json COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain --json
