@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "evaluation/classifier/kernel_classifier.h"
 #include "evaluation/classifier/paper_features.h"
 #include "features/core/errors.h"
 #include "features/core/random.h"
@@ -126,7 +127,19 @@ std::vector<Predictions> run_networks(const EvaluationInput& input, const Classi
   return predictions;
 }
 
-// ---- Baselines ----
+// ---- Without networks ----
+
+ClassificationMethod predict_by_kernel(const ClassificationComparison& comparison,
+                                       const Rows& signatures) {
+  ClassificationMethod method{"kernel, " + comparison.signature, {}};
+  for (const ClassificationRun& run : comparison.runs) {
+    method.predicted.push_back(
+        classify_by_kernel(rows_of(comparison, signatures, run.parts, Part::training),
+                           rows_of(comparison, signatures, run.parts, Part::validation),
+                           comparison.classes.size(), signatures));
+  }
+  return method;
+}
 
 /// Every model gets the class of the nearest model of the training part but itself.
 std::vector<std::size_t> predict_by_neighbour(const ClassificationComparison& comparison,
@@ -181,11 +194,12 @@ ClassificationComparison compare_classifiers(const EvaluationInput& input,
   const std::vector<std::string> names{
       fmt::format("network, paper's {} features", comparison.paper_features.front().size()),
       "network, " + comparison.signature};
-  const std::vector<Rows> features{comparison.paper_features, std::move(signatures)};
+  const std::vector<Rows> features{comparison.paper_features, signatures};
   std::vector<Predictions> predictions = run_networks(input, options, comparison, names, features);
   for (std::size_t i = 0; i < names.size(); ++i) {
     comparison.methods.push_back({names[i], std::move(predictions[i])});
   }
+  comparison.methods.push_back(predict_by_kernel(comparison, signatures));
   const DistanceMatrix distances = signature_matrix(input, clean);
   ClassificationMethod neighbour{"nearest neighbour, " + comparison.signature, {}};
   ClassificationMethod largest{"largest class", {}};
