@@ -10,8 +10,6 @@
 #include "evaluation/classifier/paper_features.h"
 #include "features/core/errors.h"
 #include "features/core/random.h"
-#include "features/descriptor/compute_descriptor.h"
-#include "features/descriptor/fused_signature.h"
 
 using nlohmann::ordered_json;
 
@@ -37,14 +35,9 @@ void require_usable(const EvaluationInput& input, const ClassifyOptions& options
 /// on how many follow.
 void recompute_signatures(CleanModels& clean, const EvaluationInput& input, int balls) {
   for (DescribedModel& model : clean.descriptions) {
-    BallDecomposition decomposition;
-    const auto count = std::min<std::size_t>(balls, model.balls.size());
-    decomposition.balls.assign(model.balls.begin(),
-                               model.balls.begin() + static_cast<std::ptrdiff_t>(count));
-    decomposition.scale = model.scale;
-    model.descriptor = input.signature == SignatureKind::mdbd_100
-                           ? compute_descriptor(decomposition, input.cache.recipe()).values
-                           : compute_fused_signature(decomposition.balls);
+    const std::span<const Ball> all(model.balls);
+    model.descriptor = signature_of(all.first(std::min<std::size_t>(balls, all.size())),
+                                    model.scale, input.signature, input.cache.recipe());
   }
 }
 
