@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -48,14 +49,23 @@ void square_distances(std::span<const Ball> balls, const Eigen::Vector3d& from,
   }
 }
 
-/// The weighted sum of the moments of the balls within a reach.
+/// The weighted sum of the moments of the balls within a reach. Which these are is found out first,
+/// without a branch that cannot be foreseen.
 /// @param squares of the balls' distances from the middle
-Moments gather(std::span<const double> squares, std::span<const Moments> moments, double reach) {
-  const double inverse_square = 1 / (reach * reach);
-  Moments sum = Moments::Zero();
+/// @param within room for as many numbers
+Moments gather(std::span<const double> squares, std::span<const Moments> moments, double reach,
+               std::span<std::size_t> within) {
+  const double squared_reach = reach * reach;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    const double nearness = 1 - squares[i] * inverse_square;
-    if (nearness > 0) sum += nearness * nearness * moments[i];
+    within[count] = i;
+    count += squares[i] < squared_reach ? 1 : 0;
+  }
+  const double inverse = 1 / squared_reach;
+  Moments sum = Moments::Zero();
+  for (const std::size_t i : within.first(count)) {
+    const double nearness = 1 - squares[i] * inverse;
+    sum += nearness * nearness * moments[i];
   }
   return sum;
 }
@@ -120,6 +130,7 @@ std::array<SurroundingsShares, kinds> ball_surroundings(std::span<const Ball> ba
   for (const Ball& ball : balls) total += ball.radius * ball.radius;
   const std::vector<Moments> moments = moments_of(balls);
   std::vector<double> squares(balls.size());
+  std::vector<std::size_t> within(balls.size());
   std::array<SurroundingsShares, kinds> shares{};
   for (const Ball& middle : balls) {
     square_distances(balls, middle.center, squares);
@@ -127,7 +138,7 @@ std::array<SurroundingsShares, kinds> ball_surroundings(std::span<const Ball> ba
     for (std::size_t i = 0; i < kinds; ++i) {
       const Surroundings& kind = surroundings_kinds[i];
       const double reach = reach_of(kind, middle.radius, largest);
-      const Moments sums = gather(squares, moments, reach);
+      const Moments sums = gather(squares, moments, reach, within);
       add(shares[i], weight, find_nodes(kind.trait, sums, middle.center, reach));
     }
   }

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "features/core/ball.h"
 #include "features/descriptor/soft_bins.h"
