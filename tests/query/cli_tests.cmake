@@ -79,7 +79,7 @@ mdbd_cli_test(NAME query/file_and_id COMMAND mdbd-query a.off --id 1 EXIT 2 REGE
 mdbd_cli_test(NAME query/json_and_csv COMMAND mdbd-query a.off --json --csv EXIT 2
   REGEXP "--json excludes --csv")
 mdbd_cli_test(NAME query/explain_and_csv COMMAND mdbd-query a.off --explain --csv EXIT 2
-  REGEXP "--csv excludes --explain")
+  REGEXP "--explain excludes --csv")
 mdbd_cli_test(NAME query/top_zero COMMAND mdbd-query a.off --top 0 EXIT 2 REGEXP "--top")
 mdbd_cli_test(NAME query/id_no_number COMMAND mdbd-query --id one EXIT 2 REGEXP "--id")
 mdbd_cli_test(NAME query/unknown_option COMMAND mdbd-query a.off --nearest EXIT 2 REGEXP "--nearest")
