@@ -4,16 +4,26 @@
 
 #include "evaluation/signature_terms.h"
 #include "features/core/errors.h"
+#include "features/descriptor/compute_descriptor.h"
 #include "features/descriptor/fused_signature.h"
 
 namespace mdbd {
+
+std::vector<float> signature_of(std::span<const Ball> balls, double scale, SignatureKind signature,
+                                const Recipe& recipe) {
+  if (signature == SignatureKind::mdbd_fused) return compute_fused_signature(balls);
+  BallDecomposition decomposition;
+  decomposition.balls.assign(balls.begin(), balls.end());
+  decomposition.scale = scale;
+  return compute_descriptor(decomposition, recipe).values;
+}
 
 DescribedModels describe_models(const EvaluationInput& input, std::span<const LabelledModel> models,
                                 const Variant& variant) {
   DescribedModels described = input.cache.describe(models, variant);
   if (input.signature == SignatureKind::mdbd_fused) {
     for (auto& model : described) {
-      if (model) model->descriptor = compute_fused_signature(model->balls, model->scale);
+      if (model) model->descriptor = compute_fused_signature(model->balls);
     }
   }
   return described;

@@ -18,6 +18,11 @@ struct EvaluationInput {
   SignatureKind signature = SignatureKind::mdbd_100;  ///< the one that is measured
 };
 
+/// A signature of a model from its balls, as describing the model gives it.
+/// @param scale R, object units, above 0
+std::vector<float> signature_of(std::span<const Ball> balls, double scale, SignatureKind signature,
+                                const Recipe& recipe);
+
 /// The models of a collection that could be described as they are.
 struct CleanModels {
   std::vector<LabelledModel> models;  ///< ordered by class, then by name

@@ -13,8 +13,7 @@ ShapeDescription describe_shape(const Shape& shape, const Recipe& recipe) {
                                .descriptor = {},
                                .fused = {}};
   description.descriptor = compute_descriptor(description.decomposition, recipe);
-  description.fused =
-      compute_fused_signature(description.decomposition.balls, description.decomposition.scale);
+  description.fused = compute_fused_signature(description.decomposition.balls);
   return description;
 }
 

@@ -228,8 +228,7 @@ class IndexRun {
       if (summary_.is_interrupted) return;
       const std::optional<ShapeRecord> record = store_.find(id);
       if (!record) continue;
-      store_.put_vector(id, stored_mdbd_fused,
-                        compute_fused_signature(store_.data(id).balls, record->scale));
+      store_.put_vector(id, stored_mdbd_fused, compute_fused_signature(store_.data(id).balls));
       ++summary_.completed;
       observer_.on_wait();
     }

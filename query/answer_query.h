@@ -11,6 +11,15 @@
 
 namespace mdbd {
 
+/// What is asked for.
+struct QueryOptions {
+  std::size_t count = 10;  ///< how many models, at least 1
+  SignatureKind signature = SignatureKind::mdbd_100;
+  bool has_chirality =
+      false;  ///< mirrored shapes are told apart, at the price of reading all balls
+  std::size_t differences = 0;  ///< how many of the numbers that differ the most are told
+};
+
 /// A query by the path it is known by, with its answer.
 struct QueryAnswer {
   std::string query;  ///< the path of the file or of the indexed model
@@ -25,13 +34,12 @@ struct QueryAnswer {
 /// used
 /// @throws StoreError if the collection cannot be read
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          std::size_t count, SignatureKind signature = SignatureKind::mdbd_100);
+                          const QueryOptions& options = {});
 
 /// The models of a collection that look most like one of its own, which is among them. Needs no
-/// file: the vector is the stored one.
+/// file: vector and balls are the stored ones.
 /// @throws InvalidInput if there is no such model or it failed when it was indexed
 /// @throws StoreError if the collection cannot be read
-QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, std::size_t count,
-                        SignatureKind signature = SignatureKind::mdbd_100);
+QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, const QueryOptions& options = {});
 
 }  // namespace mdbd

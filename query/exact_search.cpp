@@ -36,6 +36,26 @@ class SmallestTotals {
   std::priority_queue<double> totals_;
 };
 
+/// The numbers that differ the most, as points, where what a number weighs is part of it.
+std::vector<NumberDifference> largest_differences(const SignatureMetric& metric,
+                                                  std::span<const float> query,
+                                                  std::span<const float> match, std::size_t count) {
+  const std::vector<float> f = metric.point(query);
+  const std::vector<float> g = metric.point(match);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (f[i] != g[i]) order.push_back(i);
+  }
+  count = std::min(count, order.size());
+  std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(count), {},
+                            [&](std::size_t i) { return std::pair(-std::abs(f[i] - g[i]), i); });
+  std::vector<NumberDifference> result;
+  for (const std::size_t i : std::span(order).first(count)) {
+    result.push_back({metric.number_name(i), query[i], match[i]});
+  }
+  return result;
+}
+
 }  // namespace
 
 struct ExactSearch::Candidate {
@@ -77,7 +97,8 @@ double ExactSearch::lower_bound(double point_distance, double query_norm) const 
   return point_distance * (1.0 - relative) - epsilon * (query_norm + largest_norm_);
 }
 
-SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) const {
+SearchResult ExactSearch::search(std::span<const float> query, std::size_t k,
+                                 std::size_t differences) const {
   if (k == 0) throw InvalidInput("the number of matches asked for must be at least 1");
   SearchResult result;
   result.collection_size = collection_.size();
@@ -102,7 +123,7 @@ SearchResult ExactSearch::search(std::span<const float> query, std::size_t k) co
     result.exact = result.exact || candidates.size() == collection_.size();
   }
   result.examined = candidates.size();
-  result.matches = best_matches(query, std::move(candidates), count);
+  result.matches = best_matches(query, std::move(candidates), count, differences);
   return result;
 }
 
@@ -111,8 +132,8 @@ ExactSearch::Candidate ExactSearch::examine(std::span<const float> query, std::s
 }
 
 std::vector<Match> ExactSearch::best_matches(std::span<const float> query,
-                                             std::vector<Candidate> candidates,
-                                             std::size_t count) const {
+                                             std::vector<Candidate> candidates, std::size_t count,
+                                             std::size_t differences) const {
   const auto is_better = [&](const Candidate& a, const Candidate& b) {
     if (a.distance != b.distance) return a.distance < b.distance;
     return collection_[a.row].path < collection_[b.row].path;
@@ -124,8 +145,14 @@ std::vector<Match> ExactSearch::best_matches(std::span<const float> query,
   matches.reserve(count);
   for (const Candidate& candidate : candidates) {
     const StoredVector& model = collection_[candidate.row];
-    matches.push_back({model.shape_id, model.path, model.scale, candidate.distance,
-                       metric_->parts(query, model.values)});
+    matches.push_back(
+        {.id = model.shape_id,
+         .path = model.path,
+         .scale = model.scale,
+         .distance = candidate.distance,
+         .parts = metric_->parts(query, model.values),
+         .differences = largest_differences(*metric_, query, model.values, differences),
+         .hand = std::nullopt});
   }
   return matches;
 }

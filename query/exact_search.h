@@ -3,16 +3,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "features/descriptor/chirality.h"
 #include "query/nearest_neighbours.h"
 #include "query/signature_metric.h"
 #include "store/shape_record.h"
 
 namespace mdbd {
+
+/// A number in which a model differs from the query.
+struct NumberDifference {
+  std::string name;  ///< what it says
+  float query = 0.0F;
+  float match = 0.0F;
+};
 
 /// A model of the collection with its distance to the query.
 struct Match {
@@ -21,6 +30,10 @@ struct Match {
   double scale = 0.0;  ///< R in object units
   double distance = 0.0;
   std::vector<double> parts;  ///< of the distance: SearchResult::part_names
+  /// The numbers that differ the most by what they add to the distance, the largest difference
+  /// first; none where the vectors are equal.
+  std::vector<NumberDifference> differences;
+  std::optional<Hand> hand;  ///< if it was asked for
 };
 
 /// The answer of a search.
@@ -43,14 +56,16 @@ class ExactSearch {
   ExactSearch(std::vector<StoredVector> collection, std::unique_ptr<const SignatureMetric> metric);
 
   /// The k nearest models, or all if there are fewer.
+  /// @param differences how many of the numbers that differ the most are told of each
   /// @throws InvalidInput if k is 0 or the query has another dimension than the collection
-  SearchResult search(std::span<const float> query, std::size_t k) const;
+  SearchResult search(std::span<const float> query, std::size_t k,
+                      std::size_t differences = 0) const;
 
  private:
   struct Candidate;
   Candidate examine(std::span<const float> query, std::size_t row) const;
   std::vector<Match> best_matches(std::span<const float> query, std::vector<Candidate> candidates,
-                                  std::size_t count) const;
+                                  std::size_t count, std::size_t differences) const;
   NearestNeighbours index_collection() const;
   double lower_bound(double point_distance, double query_norm) const;
 

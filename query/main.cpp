@@ -16,16 +16,18 @@ constexpr const char* examples = R"(Examples:
   mdbd-query --id 17 --json                 by a model of the database, for programs
   mdbd-query chair.ply --signature mdbd-fused --explain
                                             by where the balls are, with what makes the difference
+  mdbd-query left.stl --chirality           a mirrored part comes after one of the same hand
 
 The answer is exact: no model of the database that is not listed is nearer.
 Exit codes: 0 done, 1 failed, 2 wrong usage.)";
+
+constexpr std::size_t explained_differences = 3;
 
 struct Arguments {
   std::filesystem::path model;
   std::filesystem::path database;
   std::int64_t id = 0;
-  std::size_t top = 10;
-  mdbd::SignatureKind signature = mdbd::SignatureKind::mdbd_100;
+  mdbd::QueryOptions options;
   bool is_explained = false;
   bool is_json = false;
   bool is_csv = false;
@@ -69,25 +71,28 @@ int main(int argc, char** argv) {
   auto* id = app.add_option("--id", arguments.id, "Search with this model of the database instead")
                  ->excludes(model)
                  ->type_name("N");
-  app.add_option("--top", arguments.top, "How many models to list")
+  app.add_option("--top", arguments.options.count, "How many models to list")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}).description(""))
       ->type_name("N")
       ->capture_default_str();
   mdbd::add_database_option(app, arguments.database);
-  mdbd::add_signature_option(app, arguments.signature);
+  mdbd::add_signature_option(app, arguments.options.signature);
+  app.add_flag("--chirality", arguments.options.has_chirality,
+               "Tell left from right: show for each model whether it is of the same hand or "
+               "mirrored, and add the difference to the distance");
   auto* explain = app.add_flag("--explain", arguments.is_explained,
-                               "Show how much of each distance each part of the signature makes");
-  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object")->excludes(explain);
+                               "Show how much of each distance each part of the signature makes, "
+                               "and which of its numbers differ the most");
+  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object");
   app.add_flag("--csv", arguments.is_csv, "Print CSV")->excludes(json)->excludes(explain);
 
   return mdbd::run_program(app, argc, argv, [&] {
     if (model->empty() && id->empty()) throw CLI::RequiredError("MODEL or --id");
     const auto store = mdbd::open_store_read_only(arguments.database);
-    print_answer(
-        id->empty()
-            ? mdbd::query_by_file(*store, arguments.model, arguments.top, arguments.signature)
-            : mdbd::query_by_id(*store, arguments.id, arguments.top, arguments.signature),
-        arguments);
+    if (arguments.is_explained) arguments.options.differences = explained_differences;
+    print_answer(id->empty() ? mdbd::query_by_file(*store, arguments.model, arguments.options)
+                             : mdbd::query_by_id(*store, arguments.id, arguments.options),
+                 arguments);
     return mdbd::ExitCode::done;
   });
 }

@@ -31,6 +31,26 @@ double share(const Match& match, std::size_t part) {
   return match.distance > 0 ? 100 * match.parts[part] / match.distance : 0.0;
 }
 
+bool has_hands(const SearchResult& result) {
+  return !result.matches.empty() && result.matches.front().hand.has_value();
+}
+
+void append_differences(const Match& match, std::string& table) {
+  for (const NumberDifference& difference : match.differences) {
+    fmt::format_to(std::back_inserter(table), "{:17}{}: {:.4f}, in the query {:.4f}\n", "",
+                   difference.name, difference.match, difference.query);
+  }
+}
+
+nlohmann::ordered_json to_json(const std::vector<NumberDifference>& differences) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const NumberDifference& difference : differences) {
+    array.push_back(
+        {{"number", difference.name}, {"query", difference.query}, {"match", difference.match}});
+  }
+  return array;
+}
+
 }  // namespace
 
 std::string format_table(const SearchResult& result, const std::filesystem::path& directory,
@@ -39,12 +59,15 @@ std::string format_table(const SearchResult& result, const std::filesystem::path
   std::string table = fmt::format("{:>4}  {:>9}  ", "rank", "distance");
   const std::size_t parts = is_explained ? result.part_names.size() : 0;
   for (std::size_t i = 0; i < parts; ++i) table += fmt::format("{:>10}%  ", result.part_names[i]);
+  if (has_hands(result)) table += fmt::format("{:<8}  ", "hand");
   table += "model\n";
   int rank = 0;
   for (const Match& match : result.matches) {
     fmt::format_to(std::back_inserter(table), "{:>4}  {:>9.6f}  ", ++rank, match.distance);
     for (std::size_t i = 0; i < parts; ++i) table += fmt::format("{:>11.0f}  ", share(match, i));
+    if (match.hand) table += fmt::format("{:<8}  ", to_string(*match.hand));
     table += shown_path(match.path, directory) + '\n';
+    if (is_explained) append_differences(match, table);
   }
   return table;
 }
@@ -60,6 +83,8 @@ std::string format_json(const QueryAnswer& answer) {
       object[fmt::format("{}_distance", answer.result.part_names[i])] = match.parts[i];
     }
     object["scale"] = match.scale;
+    if (match.hand) object["hand"] = to_string(*match.hand);
+    if (!match.differences.empty()) object["differences"] = to_json(match.differences);
     matches.push_back(std::move(object));
   }
   const nlohmann::ordered_json document = {
@@ -70,13 +95,15 @@ std::string format_json(const QueryAnswer& answer) {
 std::string format_csv(const SearchResult& result) {
   std::string csv = "rank,id,path,distance,";
   for (const std::string_view name : result.part_names) csv += fmt::format("{}_distance,", name);
-  csv += "scale\n";
+  csv += has_hands(result) ? "scale,hand\n" : "scale\n";
   int rank = 0;
   for (const Match& match : result.matches) {
     fmt::format_to(std::back_inserter(csv), "{},{},{},{},", ++rank, match.id, quote_csv(match.path),
                    match.distance);
     for (const double part : match.parts) fmt::format_to(std::back_inserter(csv), "{},", part);
-    fmt::format_to(std::back_inserter(csv), "{}\n", match.scale);
+    fmt::format_to(std::back_inserter(csv), "{}", match.scale);
+    if (match.hand) fmt::format_to(std::back_inserter(csv), ",{}", to_string(*match.hand));
+    csv += '\n';
   }
   return csv;
 }

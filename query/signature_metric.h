@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ class SignatureMetric {
   virtual std::vector<double> parts(std::span<const float> f, std::span<const float> g) const = 0;
   virtual double distance(std::span<const float> f, std::span<const float> g) const = 0;
 
+  /// What the number of a vector at an index says, for people.
+  virtual std::string number_name(std::size_t index) const = 0;
+
   /// How many numbers a vector has at least.
   virtual std::size_t least_size() const = 0;
 };
@@ -38,5 +42,10 @@ std::unique_ptr<const SignatureMetric> similarity_metric(int radius_count, doubl
 
 /// The L1 distance of mdbd-fused, with the parts of fused_parts.
 std::unique_ptr<const SignatureMetric> fused_metric();
+
+/// A metric of vectors that hold the numbers of compute_chirality() and then those of another
+/// metric: that metric's distance and, by its norm, the length of the difference in chirality, as
+/// the last part, "chirality". A mirrored twin is as far as the shape is chiral.
+std::unique_ptr<const SignatureMetric> chiral_metric(std::unique_ptr<const SignatureMetric> base);
 
 }  // namespace mdbd

@@ -124,12 +124,19 @@ void SqliteShapeStore::put_vector(std::int64_t id, std::string_view signature,
                      std::string(signature) + " is not finite");
   }
   const Blob vector = encode_floats(values);
+  Transaction transaction(database_, Transaction::Kind::writing);
   Statement(database_,
             "INSERT OR REPLACE INTO vectors (shape_id, signature, \"values\")"
             " SELECT id, ?, ? FROM shapes WHERE id = ? AND status = ?")
       .bind(signature, std::span<const std::byte>(vector), id, to_string(ShapeStatus::indexed))
       .run();
   require_changed(id);
+  Statement(database_,
+            "DELETE FROM vectors WHERE shape_id = ? AND signature <> ?"
+            " AND instr(?, '/') > 0 AND instr(signature, substr(?, 1, instr(?, '/'))) = 1")
+      .bind(id, signature, signature, signature, signature)
+      .run();
+  transaction.commit();
   require_in_place();
 }
 

@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "evaluation/classifier/kernel_classifier.h"
 #include "evaluation/classifier/paper_features.h"
 #include "features/core/errors.h"
 #include "features/core/random.h"
-#include "features/descriptor/compute_descriptor.h"
-#include "features/descriptor/fused_signature.h"
 
 using nlohmann::ordered_json;
 
@@ -36,14 +35,9 @@ void require_usable(const EvaluationInput& input, const ClassifyOptions& options
 /// on how many follow.
 void recompute_signatures(CleanModels& clean, const EvaluationInput& input, int balls) {
   for (DescribedModel& model : clean.descriptions) {
-    BallDecomposition decomposition;
-    const auto count = std::min<std::size_t>(balls, model.balls.size());
-    decomposition.balls.assign(model.balls.begin(),
-                               model.balls.begin() + static_cast<std::ptrdiff_t>(count));
-    decomposition.scale = model.scale;
-    model.descriptor = input.signature == SignatureKind::mdbd_100
-                           ? compute_descriptor(decomposition, input.cache.recipe()).values
-                           : compute_fused_signature(decomposition.balls, decomposition.scale);
+    const std::span<const Ball> all(model.balls);
+    model.descriptor = signature_of(all.first(std::min<std::size_t>(balls, all.size())),
+                                    model.scale, input.signature, input.cache.recipe());
   }
 }
 
@@ -126,7 +120,19 @@ std::vector<Predictions> run_networks(const EvaluationInput& input, const Classi
   return predictions;
 }
 
-// ---- Baselines ----
+// ---- Without networks ----
+
+ClassificationMethod predict_by_kernel(const ClassificationComparison& comparison,
+                                       const Rows& signatures) {
+  ClassificationMethod method{"kernel, " + comparison.signature, {}};
+  for (const ClassificationRun& run : comparison.runs) {
+    method.predicted.push_back(
+        classify_by_kernel(rows_of(comparison, signatures, run.parts, Part::training),
+                           rows_of(comparison, signatures, run.parts, Part::validation),
+                           comparison.classes.size(), signatures));
+  }
+  return method;
+}
 
 /// Every model gets the class of the nearest model of the training part but itself.
 std::vector<std::size_t> predict_by_neighbour(const ClassificationComparison& comparison,
@@ -181,11 +187,12 @@ ClassificationComparison compare_classifiers(const EvaluationInput& input,
   const std::vector<std::string> names{
       fmt::format("network, paper's {} features", comparison.paper_features.front().size()),
       "network, " + comparison.signature};
-  const std::vector<Rows> features{comparison.paper_features, std::move(signatures)};
+  const std::vector<Rows> features{comparison.paper_features, signatures};
   std::vector<Predictions> predictions = run_networks(input, options, comparison, names, features);
   for (std::size_t i = 0; i < names.size(); ++i) {
     comparison.methods.push_back({names[i], std::move(predictions[i])});
   }
+  comparison.methods.push_back(predict_by_kernel(comparison, signatures));
   const DistanceMatrix distances = signature_matrix(input, clean);
   ClassificationMethod neighbour{"nearest neighbour, " + comparison.signature, {}};
   ClassificationMethod largest{"largest class", {}};

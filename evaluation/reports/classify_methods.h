@@ -38,8 +38,8 @@ struct ClassificationComparison {
   int paper_balls = 0;      ///< from how many balls the paper's features are
   int signature_balls = 0;  ///< from how many the signature is
   std::vector<ClassificationRun> runs;
-  /// The network on the paper's features, the network on the signature, the nearest neighbour by
-  /// the signature's distance, the largest class.
+  /// The network on the paper's features, the network on the signature, least squares by a kernel
+  /// on the signature, the nearest neighbour by the signature's distance, the largest class.
   std::vector<ClassificationMethod> methods;
 };
 

@@ -173,11 +173,15 @@ Report make_invariance_report(const EvaluationInput& input, const InvarianceOpti
   report.summary = summarise(study);
   report.notes = variation_notes(study.clean, study.varied);
   std::ranges::move(face_notes(study), std::back_inserter(report.notes));
+  const std::vector<SignatureComparison> signatures =
+      compare_signatures(input, study.clean, study.varied);
   report.sections = {score_section(study),
+                     {"Both signatures", {signatures_table(signatures)}},
                      displacement_section(study),
                      {"Models that moved the furthest",
                       {worst_models_table(study.clean, study.varied, options.worst)}}};
   report.data = to_json(study, input);
+  report.data["signatures"] = to_json(signatures);
   return report;
 }
 

@@ -280,12 +280,16 @@ Report make_noise_report(const EvaluationInput& input, const NoiseOptions& optio
   report.title = "Noise on " + input.collection.folder.filename().string();
   report.summary = summarise(study);
   report.notes = variation_notes(study.clean, study.noisy);
+  const std::vector<SignatureComparison> signatures =
+      compare_signatures(input, study.clean, study.noisy);
   report.sections = {score_section(study),
+                     {"Both signatures", {signatures_table(signatures)}},
                      shift_section(study),
                      query_section(study),
                      {"Models that moved the furthest",
                       {worst_models_table(study.clean, study.noisy, options.worst)}}};
   report.data = to_json(study, input.seed);
+  report.data["signatures"] = to_json(signatures);
   return report;
 }
 

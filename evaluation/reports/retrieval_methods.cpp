@@ -108,7 +108,7 @@ RetrievalComparison compare_retrieval(const EvaluationInput& input, bool has_riv
     comparison.models.push_back(clean.models[i]);
     const DescribedModel& model = clean.descriptions[i];
     comparison.signatures[0].vectors.push_back(model.descriptor);
-    comparison.signatures[1].vectors.push_back(compute_fused_signature(model.balls, model.scale));
+    comparison.signatures[1].vectors.push_back(compute_fused_signature(model.balls));
     for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
       comparison.signatures[own_signatures + rival].vectors.push_back(*computed[rival][i]);
     }

@@ -28,6 +28,32 @@ std::vector<DistanceTerm> distance_terms(const EvaluationInput& input) {
   return signature_terms(input.signature, input.cache.recipe());
 }
 
+DescribedModel with_signature(const DescribedModel& model, SignatureKind signature,
+                              const Recipe& recipe) {
+  DescribedModel result = model;
+  result.descriptor = signature_of(model.balls, model.scale, signature, recipe);
+  return result;
+}
+
+CleanModels with_signature(const CleanModels& clean, SignatureKind signature,
+                           const Recipe& recipe) {
+  CleanModels result{.models = clean.models, .descriptions = {}};
+  for (const DescribedModel& model : clean.descriptions) {
+    result.descriptions.push_back(with_signature(model, signature, recipe));
+  }
+  return result;
+}
+
+DescribedModels with_signature(const DescribedModels& models, SignatureKind signature,
+                               const Recipe& recipe) {
+  DescribedModels result;
+  for (const auto& model : models) {
+    result.push_back(model ? std::optional(with_signature(*model, signature, recipe))
+                           : std::nullopt);
+  }
+  return result;
+}
+
 double face_count(const DescribedModel& model) {
   return ordered_json::parse(model.statistics).at("faces").get<double>();
 }
@@ -127,6 +153,56 @@ Table worst_models_table(const CleanModels& clean, std::span<const VariedModels>
          number_text(model->relative_displacement), std::to_string(model->self_rank)});
   }
   return table;
+}
+
+std::vector<SignatureComparison> compare_signatures(const EvaluationInput& input,
+                                                    const CleanModels& clean,
+                                                    std::span<const VariedModels> variations) {
+  const Recipe& recipe = input.cache.recipe();
+  const bool is_fused = input.signature == SignatureKind::mdbd_fused;
+  const SignatureKind other = is_fused ? SignatureKind::mdbd_100 : SignatureKind::mdbd_fused;
+  const CleanModels clean_by_other = with_signature(clean, other, recipe);
+  std::vector<SignatureComparison> comparisons;
+  for (const VariedModels& varied : variations) {
+    SignatureComparison& comparison = comparisons.emplace_back();
+    comparison.change = varied.name;
+    if (!varied.robustness) continue;
+    (is_fused ? comparison.mdbd_fused : comparison.mdbd_100) = varied.robustness;
+    (is_fused ? comparison.mdbd_100 : comparison.mdbd_fused) =
+        measure(clean_by_other, with_signature(varied.models, other, recipe),
+                signature_terms(other, recipe));
+  }
+  return comparisons;
+}
+
+Table signatures_table(std::span<const SignatureComparison> comparisons) {
+  Table table{.caption = "Both signatures on the same copies",
+              .columns = {"change", "mdbd-100: self first %", "class NN %",
+                          "mdbd-fused: self first %", "class NN %"},
+              .rows = {},
+              .is_summary = true};
+  for (const SignatureComparison& comparison : comparisons) {
+    std::vector<std::string> row{comparison.change};
+    for (const auto& robustness : {comparison.mdbd_100, comparison.mdbd_fused}) {
+      row.push_back(robustness ? percent_text(robustness->self_first) : "–");
+      row.push_back(robustness ? percent_text(robustness->class_accuracy) : "–");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ordered_json to_json(std::span<const SignatureComparison> comparisons) {
+  const auto measures = [](const std::optional<Robustness>& robustness) {
+    return robustness ? measures_to_json(*robustness) : ordered_json();
+  };
+  ordered_json list = ordered_json::array();
+  for (const SignatureComparison& comparison : comparisons) {
+    list.push_back({{"change", comparison.change},
+                    {"mdbd-100", measures(comparison.mdbd_100)},
+                    {"mdbd-fused", measures(comparison.mdbd_fused)}});
+  }
+  return list;
 }
 
 std::vector<std::string> variation_notes(const CleanModels& clean,

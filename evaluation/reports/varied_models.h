@@ -41,6 +41,24 @@ std::vector<std::optional<double>> face_ratios(const CleanModels& clean,
 Table worst_models_table(const CleanModels& clean, std::span<const VariedModels> variations,
                          std::size_t count);
 
+/// How a change is borne by each signature, on the same copies of the same models.
+struct SignatureComparison {
+  std::string change;
+  std::optional<Robustness> mdbd_100;  ///< empty if all models failed
+  std::optional<Robustness> mdbd_fused;
+};
+
+/// One for each variation; the signature that is not measured is computed from the balls.
+std::vector<SignatureComparison> compare_signatures(const EvaluationInput& input,
+                                                    const CleanModels& clean,
+                                                    std::span<const VariedModels> variations);
+
+/// Self first and class NN by each signature.
+Table signatures_table(std::span<const SignatureComparison> comparisons);
+
+/// [{"change", "mdbd-100": measures, "mdbd-fused": measures}, …]; null where all models failed.
+nlohmann::ordered_json to_json(std::span<const SignatureComparison> comparisons);
+
 /// What limits the meaning of the measures: failed copies, models alone in their class.
 std::vector<std::string> variation_notes(const CleanModels& clean,
                                          std::span<const VariedModels> variations);

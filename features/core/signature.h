@@ -13,7 +13,7 @@ inline constexpr std::string_view signature_mdbd_fused = "mdbd-fused";
 
 /// The name under which the store keeps mdbd-fused. Its number is raised whenever the same balls
 /// give another signature: what is stored under an older one is computed again from the balls.
-inline constexpr std::string_view stored_mdbd_fused = "mdbd-fused/1";
+inline constexpr std::string_view stored_mdbd_fused = "mdbd-fused/2";
 
 /// The signatures that can be searched with.
 enum class SignatureKind { mdbd_100, mdbd_fused };

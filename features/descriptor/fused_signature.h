@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "features/core/ball.h"
-#include "features/descriptor/ball_placement.h"
-#include "features/descriptor/pair_distances.h"
+#include "features/descriptor/ball_surroundings.h"
 #include "features/descriptor/solid_harmonics.h"
 
 namespace mdbd {
-
-/// How many of the largest radii the signature holds.
-inline constexpr std::size_t fused_radii = 30;
 
 /// Some consecutive numbers of a signature that say one thing.
 struct SignaturePart {
@@ -24,37 +20,30 @@ struct SignaturePart {
   double weight = 1.0;  ///< by which the numbers are multiplied
 };
 
-/// The parts of mdbd-fused, in order:
-/// - placement: square roots, softened at zero, of ball_placement();
-/// - solid: the same of solid_harmonics();
-/// - pairs: the same of pair_distances();
-/// - radii: the largest radii divided by R, in decreasing order, filled up with zeros;
-/// - axes: logarithms of the solid's three principal root mean square extents, the largest first,
-///   relative to its root mean square distance from the centroid.
-inline constexpr std::array<SignaturePart, 5> fused_parts = [] {
-  std::array<SignaturePart, 5> parts{{{"placement", 0, placement_size, 0.032},
-                                      {"solid", 0, solid_size, 0.05},
-                                      {"pairs", 0, pair_distance_nodes, 0.22},
-                                      {"radii", 0, fused_radii, 0.125},
-                                      {"axes", 0, 3, 0.055}}};
+/// The parts of mdbd-fused, in order; all are square roots, softened at zero:
+/// - solid: of solid_harmonics();
+/// - near, bulk, wide, whole: of ball_surroundings().
+inline constexpr std::array<SignaturePart, 1 + surroundings_kinds.size()> fused_parts = [] {
+  constexpr std::array<double, surroundings_kinds.size()> weights{0.084, 0.08, 0.06, 0.05};
+  std::array<SignaturePart, 1 + surroundings_kinds.size()> parts{{{"solid", 0, solid_size, 0.036}}};
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    parts[i].first = parts[i - 1].first + parts[i - 1].count;
+    parts[i] = {surroundings_kinds[i - 1].name, parts[i - 1].first + parts[i - 1].count,
+                surroundings_size, weights[i - 1]};
   }
   return parts;
 }();
 
 inline constexpr std::size_t fused_size = fused_parts.back().first + fused_parts.back().count;
 
-/// The signature mdbd-fused: sizes of the balls, and where they are. Two signatures are compared by
-/// the L1 distance, the sum of the absolute differences, which is a metric; the weights of the
-/// parts are folded into the numbers, so that unrelated shapes are at a distance of about 1. It is
-/// invariant to rotation, reflection, translation and uniform scale, continuous in the balls, does
-/// not depend on their order, and is the same bits for the same balls. docs/signatures.md tells how
-/// it was chosen.
+/// The signature mdbd-fused: where the balls are, and what each of them lies in. Two signatures are
+/// compared by the L1 distance, the sum of the absolute differences, which is a metric; the weights
+/// of the parts are folded into the numbers, so that unrelated shapes are at a distance of about 1.
+/// It is invariant to rotation, reflection, translation and uniform scale, continuous in the balls,
+/// does not depend on their order, and is the same bits for the same balls. docs/signatures.md
+/// tells how it was chosen.
 /// @param balls disjoint, object units; radii above 0
-/// @param scale R, object units, above 0
 /// @returns fused_size numbers; zeros if there are no balls
-std::vector<float> compute_fused_signature(std::span<const Ball> balls, double scale);
+std::vector<float> compute_fused_signature(std::span<const Ball> balls);
 
 /// What each part contributes to the L1 distance of two signatures; the sum is the distance.
 /// @pre f.size() == g.size() == fused_size

@@ -19,7 +19,7 @@ struct SoftBins {
   double last = 1.0;   ///< the last node, above the first
   std::size_t count = 2;
 
-  double node(std::size_t i) const {
+  constexpr double node(std::size_t i) const {
     return first + (last - first) * static_cast<double>(i) / static_cast<double>(count - 1);
   }
 

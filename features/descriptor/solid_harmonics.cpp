@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "features/descriptor/soft_bins.h"
 #include "features/descriptor/spherical_harmonics.h"
 
 namespace mdbd {
@@ -13,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr SoftBins shells{0.3, 2.4, solid_shells};
+constexpr const SoftBins& shells = solid_shell_nodes;
 constexpr std::size_t coefficients = harmonic_count(solid_degree);
 
 /// One number for each degree.

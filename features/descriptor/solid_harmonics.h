@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "features/core/ball.h"
+#include "features/descriptor/soft_bins.h"
 
 /// The shape of the solid that the balls fill, seen from its centroid.
 namespace mdbd {
 
 /// The radii of the spheres around the origin between which the solid is shared …
-inline constexpr int solid_shells = 8;  ///< 0.3, 0.6 … 2.4
+inline constexpr int solid_shells = 8;
+inline constexpr SoftBins solid_shell_nodes{0.3, 2.4, solid_shells};
 /// … and the highest degree of the harmonics on each.
 inline constexpr int solid_degree = 6;
 

@@ -98,7 +98,7 @@ TEST_CASE("the numbers of a classification can be computed again from its data")
   Bench bench;
   const Report report = make_classify_report(bench.input(), few_runs());
   const auto& data = report.data;
-  REQUIRE(data["methods"].size() == 4);
+  REQUIRE(data["methods"].size() == 5);
   REQUIRE(data["runs"].size() == 3);
   REQUIRE(data["models"].size() == 20);
   CHECK(data["classes"] == std::vector<std::string>{"box", "torus"});
@@ -117,7 +117,7 @@ TEST_CASE("the numbers of a classification can be computed again from its data")
   }
   for (std::size_t run = 0; run < 3; ++run) {
     for (std::size_t i = 0; i < 20; ++i) {
-      CHECK(data["methods"][2]["predicted"][run][i] == nearest_label(data, run, i));
+      CHECK(data["methods"][3]["predicted"][run][i] == nearest_label(data, run, i));
     }
   }
 }
@@ -125,10 +125,10 @@ TEST_CASE("the numbers of a classification can be computed again from its data")
 TEST_CASE("boxes and tori are told apart; the report shows it") {
   Bench bench;
   const Report report = make_classify_report(bench.input(), few_runs());
-  for (const int network : {0, 1}) {
-    CHECK(report.data["methods"][network]["overall"]["mean"] > 0.9);
+  for (const int learner : {0, 1, 2}) {
+    CHECK(report.data["methods"][learner]["overall"]["mean"] > 0.9);
   }
-  CHECK(report.data["methods"][3]["overall"]["mean"] == 0.5);
+  CHECK(report.data["methods"][4]["overall"]["mean"] == 0.5);
   CHECK(bench.progress.stages == std::vector<std::string>{"clean models: 20", "training: 6"});
   CHECK_THAT(report.notes.at(0), Contains("20 balls; the paper has 800"));
   const std::string text = format_report_text(report, 100);

@@ -171,6 +171,22 @@ TEST_CASE("the noise report measures mdbd-fused when it is asked to") {
   }
 }
 
+TEST_CASE("both signatures stand side by side, whichever is measured") {
+  Bench bench;
+  EvaluationInput input = bench.input();
+  const NoiseOptions options{.levels = {1}, .queries = {}};
+  const ordered_json by_paper = make_noise_report(input, options).data;
+  const ordered_json changes_by_paper = make_invariance_report(input, {}).data;
+  input.signature = SignatureKind::mdbd_fused;
+  const ordered_json by_fused = make_noise_report(input, options).data;
+  const ordered_json changes_by_fused = make_invariance_report(input, {}).data;
+  CHECK(by_paper["signatures"] == by_fused["signatures"]);
+  CHECK(by_paper["signatures"][0]["mdbd-100"] == by_paper["noise"][0]["measures"]);
+  CHECK(by_fused["signatures"][0]["mdbd-fused"] == by_fused["noise"][0]["measures"]);
+  REQUIRE(changes_by_paper["signatures"].size() == 11);
+  CHECK(changes_by_paper["signatures"] == changes_by_fused["signatures"]);
+}
+
 TEST_CASE("queries are drawn beside their noisy copies") {
   Bench bench;
   const Report chosen = make_noise_report(bench.input(), {.levels = {1}, .queries = {}});

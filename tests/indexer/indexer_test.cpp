@@ -3,6 +3,7 @@
 #include <csignal>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -133,7 +134,7 @@ TEST_CASE("models without mdbd-fused gain it from their balls, and nothing is de
   c.write("bad.off", "bad");
   CHECK(c.run().completed == 2);  // the description of these tests has none
   const std::int64_t id = c.record("b.off")->id;
-  CHECK(c.store->data(id).fused == compute_fused_signature(c.store->data(id).balls, 3.0));
+  CHECK(c.store->data(id).fused == compute_fused_signature(c.store->data(id).balls));
   CHECK(c.run().completed == 0);
   c.store->put_vector(id, "mdbd-fused/0", std::vector<float>{1});
   ShapeData without = c.store->data(id);
@@ -145,6 +146,21 @@ TEST_CASE("models without mdbd-fused gain it from their balls, and nothing is de
   CHECK(c.run().completed == 1);
   CHECK(c.described() == 0);
   CHECK(c.store->vectors(stored_mdbd_fused).size() == 2);
+}
+
+TEST_CASE("mdbd-fused of an older number is replaced from the balls") {
+  Collection c;
+  c.write("a.off", "A");
+  c.run();
+  const std::int64_t id = c.record("a.off")->id;
+  ShapeData data = c.store->data(id);
+  const std::vector<float> current = std::exchange(data.fused, {});
+  c.store->put(*c.record("a.off"), data);
+  c.store->put_vector(id, "mdbd-fused/1", std::vector<float>(274, 1.0F));
+  CHECK(c.run().completed == 1);
+  CHECK(c.store->data(id).fused == current);
+  CHECK(current.size() == fused_size);
+  CHECK(c.store->vectors("mdbd-fused/1").empty());
 }
 
 TEST_CASE("records do not depend on the number of jobs") {

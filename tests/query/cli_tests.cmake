@@ -36,9 +36,15 @@ query_test(fused COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --
   REGEXP "rank +distance +model\n +1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n"
          "Compared with 3 models; the answer is exact\\.\n$")
 query_test(fused_csv COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --csv
-  REGEXP "^rank,id,path,distance,placement_distance,solid_distance,pairs_distance,radii_distance,axes_distance,scale\n1,1,")
+  REGEXP "^rank,id,path,distance,solid_distance,near_distance,bulk_distance,wide_distance,whole_distance,scale\n1,1,")
 query_test(explain COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain
-  REGEXP "rank +distance +placement% +solid% +pairs% +radii% +axes%  model\n +1 +0\\.000000 +0 ")
+  REGEXP "rank +distance +solid% +near% +bulk% +wide% +whole%  model\n +1 +0\\.000000 +0 ")
+query_test(explain_radii COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --explain
+  REGEXP " +radii% +walk%  model\n +1 [^\n]*\n +2 [^\n]*\n +(radius|walk sum) [0-9]+: [0-9.]+, in the query ")
+query_test(explain_json COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain --json
+  REGEXP "\"differences\": .\n *{\n *\"number\": \"[a-z][^\n]*\",\n *\"query\": [0-9.]+")
+query_test(chirality COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --chirality
+  REGEXP "rank +distance  hand      model\n +1 +0\\.000000  none ")
 query_test(unknown_signature COMMAND mdbd-query --id 1 --signature mdbd-7 EXIT 2 REGEXP "--signature")
 query_test(unknown_id COMMAND mdbd-query --id 999 --db ${database} EXIT 1
   REGEXP "mdbd-query: error: no model of the database has id 999")
@@ -72,6 +78,8 @@ mdbd_cli_test(NAME query/nothing_to_search COMMAND mdbd-query EXIT 2 REGEXP "MOD
 mdbd_cli_test(NAME query/file_and_id COMMAND mdbd-query a.off --id 1 EXIT 2 REGEXP "excludes --id")
 mdbd_cli_test(NAME query/json_and_csv COMMAND mdbd-query a.off --json --csv EXIT 2
   REGEXP "--json excludes --csv")
+mdbd_cli_test(NAME query/explain_and_csv COMMAND mdbd-query a.off --explain --csv EXIT 2
+  REGEXP "--explain excludes --csv")
 mdbd_cli_test(NAME query/top_zero COMMAND mdbd-query a.off --top 0 EXIT 2 REGEXP "--top")
 mdbd_cli_test(NAME query/id_no_number COMMAND mdbd-query --id one EXIT 2 REGEXP "--id")
 mdbd_cli_test(NAME query/unknown_option COMMAND mdbd-query a.off --nearest EXIT 2 REGEXP "--nearest")

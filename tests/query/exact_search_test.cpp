@@ -53,7 +53,9 @@ std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
                        vector.path,
                        vector.scale,
                        distance.total,
-                       {distance.radii, distance.walk}});
+                       {distance.radii, distance.walk},
+                       {},
+                       {}});
   }
   std::ranges::sort(matches, [](const Match& a, const Match& b) {
     return std::pair(a.distance, a.path) < std::pair(b.distance, b.path);
@@ -180,6 +182,38 @@ TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
     CHECK(result.exact);
     CHECK(result.examined < 30);
     REQUIRE(result.part_names.size() == mdbd::fused_parts.size());
+    for (std::size_t i = 0; i < 10; ++i) {
+      const Match& match = result.matches.at(i);
+      CHECK(match.distance == expected[i].first);
+      CHECK(match.path == expected[i].second);
+      CHECK(std::accumulate(match.parts.begin(), match.parts.end(), 0.0) == Approx(match.distance));
+    }
+  }
+}
+
+TEST_CASE("with chirality the answer is that of a brute-force search, by either metric") {
+  const auto make_metric = [](bool is_fused) {
+    return mdbd::chiral_metric(is_fused ? mdbd::fused_metric()
+                                        : similarity_metric(radius_count, 1.0));
+  };
+  const bool is_fused = GENERATE(false, true);
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<float> anywhere(-0.05F, 0.05F);
+  std::vector<StoredVector> collection = make_collection(300, generator);
+  for (StoredVector& vector : collection) {
+    vector.values.resize(mdbd::chirality_size + (is_fused ? mdbd::fused_size : 100));
+    for (float& value : vector.values) value = anywhere(generator);
+  }
+  const auto metric = make_metric(is_fused);
+  const ExactSearch search(collection, make_metric(is_fused));
+  for (std::size_t query = 0; query < 10; ++query) {
+    const SearchResult result = search.search(collection[query].values, 10);
+    std::vector<std::pair<double, std::string>> expected;
+    for (const StoredVector& vector : collection) {
+      expected.emplace_back(metric->distance(collection[query].values, vector.values), vector.path);
+    }
+    std::ranges::sort(expected);
+    CHECK(result.exact);
     for (std::size_t i = 0; i < 10; ++i) {
       const Match& match = result.matches.at(i);
       CHECK(match.distance == expected[i].first);

@@ -17,8 +17,8 @@ SearchResult example() {
   SearchResult result;
   result.exact = true;
   result.collection_size = 3;
-  result.matches = {{7, "/models/chair/a.off", 2.5, 0.1 + 0.2, {0.1, 0.2}},
-                    {9, "/other/table, \"big\".obj", 1.0, 1.0, {1.0, 0.0}}};
+  result.matches = {{7, "/models/chair/a.off", 2.5, 0.1 + 0.2, {0.1, 0.2}, {}, {}},
+                    {9, "/other/table, \"big\".obj", 1.0, 1.0, {1.0, 0.0}, {}, {}}};
   result.part_names = {"radii", "walk"};
   return result;
 }
@@ -37,6 +37,25 @@ TEST_CASE("an explained table shows what each part makes of the distance") {
   const std::string table = format_table(example(), "/models", true);
   CHECK_THAT(table, Contains("rank   distance       radii%        walk%  model\n"));
   CHECK_THAT(table, Contains("   1   0.300000           33           67  chair/a.off\n"));
+}
+
+TEST_CASE("hands and the numbers that differ the most are shown in each form of output") {
+  SearchResult result = example();
+  result.matches[0].hand = mdbd::Hand::same;
+  result.matches[1].hand = mdbd::Hand::mirrored;
+  result.matches[1].differences = {{"radius 3", 0.5F, 0.75F}};
+  const std::string table = format_table(result, "/models", true);
+  CHECK_THAT(table, Contains("%  hand      model\n") && Contains("  same      chair/a.off\n") &&
+                        Contains("  mirrored  /other/table, \"big\".obj\n") &&
+                        Contains("radius 3: 0.7500, in the query 0.5000\n"));
+  CHECK_THAT(format_table(result, "/models"), !Contains("radius 3"));
+  const auto document = nlohmann::json::parse(format_json({"q", result}));
+  CHECK(document["matches"][0]["hand"] == "same");
+  CHECK_FALSE(document["matches"][0].contains("differences"));
+  CHECK(document["matches"][1]["differences"] ==
+        nlohmann::json{{{"number", "radius 3"}, {"query", 0.5}, {"match", 0.75}}});
+  CHECK_THAT(format_csv(result),
+             Contains(",scale,hand\n") && Contains(",2.5,same\n") && Contains(",1,mirrored\n"));
 }
 
 TEST_CASE("the table has one line a match, whatever a file is called") {

@@ -188,6 +188,23 @@ TEST_CASE("models without a signature are named until they have it") {
   CHECK(store->data(b).fused.empty());
 }
 
+TEST_CASE("a signature takes the place of the one of another number, and of no other") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const std::int64_t a = store->put(make_record("/a.off"), make_data(1));
+  const std::int64_t b = store->put(make_record("/b.off"), make_data(2));
+  const std::vector<float> values{1, 2, 3};
+  for (const char* name : {"new/1", "newer/1", "new"}) store->put_vector(a, name, values);
+  store->put_vector(b, "new/1", values);
+  store->put_vector(a, "new/2", values);
+  CHECK(store->vectors("new/2").size() == 1);
+  REQUIRE(store->vectors("new/1").size() == 1);
+  CHECK(store->vectors("new/1")[0].shape_id == b);
+  for (const char* name : {"newer/1", "new"}) CHECK(store->vectors(name).size() == 1);
+  CHECK(store->data(a).fused == make_data(1).fused);
+  CHECK(store->data(a).signature == make_data(1).signature);
+}
+
 TEST_CASE("touch changes size and time only") {
   const TemporaryDirectory folder;
   const auto store = open_store(folder / "a.db");
