@@ -27,8 +27,8 @@ struct DecompositionOptions {
 ///
 /// The choice is canonical: of all possible balls the one of the highest rank is placed, where the
 /// rank is the radius, and between radii nearer than a tenth of the tolerance the place
-/// (Preference), which does not depend on how the shape lies. A shape whose near-equal maxima are too many to be told apart in a set amount of
-/// work gets one of them; the tolerance still holds.
+/// (Preference), which does not depend on how the shape lies. A shape whose near-equal maxima are
+/// too many to be told apart in a set amount of work gets one of them; the tolerance still holds.
 /// @throws InvalidInput if an option is out of range
 BallDecomposition decompose(const DistanceField& field, const DecompositionOptions& options = {});
 
