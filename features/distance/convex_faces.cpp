@@ -2,25 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <functional>
+#include <span>
 
 #include <Eigen/Geometry>
 
-#include "features/core/box.h"
+#include "features/core/disjoint_sets.h"
+#include "features/distance/coplanar_triangles.h"
 
 namespace mdbd {
 namespace {
-
-constexpr double flatness = 1e-12;  // relative to the size of the mesh
-
-/// A side of a triangle, from corner `from` to corner `to`.
-struct Side {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t triangle;
-  std::pair<std::uint32_t, std::uint32_t> key() const { return std::minmax(from, to); }
-};
 
 /// An edge between two triangles in one plane.
 struct FlatEdge {
@@ -33,12 +24,8 @@ struct FlatEdge {
 
 class Joiner {
  public:
-  explicit Joiner(const TriangleMesh& mesh) : mesh_(mesh), parent_(mesh.triangles.size()) {
-    Box box;
-    for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
-    tolerance_ = flatness * box.sizes().norm();
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
+  explicit Joiner(const TriangleMesh& mesh)
+      : mesh_(mesh), coplanarity_(mesh), faces_(mesh.triangles.size()) {}
 
   void run() {
     const std::vector<FlatEdge> edges = find_flat_edges();
@@ -48,53 +35,23 @@ class Joiner {
   }
 
   bool has_joined() const { return !polygons_.empty(); }
-  std::uint32_t root(std::uint32_t triangle) {
-    while (parent_[triangle] != triangle) {
-      triangle = parent_[triangle] = parent_[parent_[triangle]];
-    }
-    return triangle;
-  }
+  std::uint32_t root(std::uint32_t triangle) { return faces_.root(triangle); }
   const std::vector<std::uint32_t>& polygon(std::uint32_t root) const { return polygons_[root]; }
 
  private:
   const Eigen::Vector3d& vertex(std::uint32_t index) const { return mesh_.vertices[index]; }
 
-  Eigen::Vector3d unit_normal(std::uint32_t triangle) const {
-    const auto& [a, b, c] = mesh_.triangles[triangle];
-    return (vertex(b) - vertex(a)).cross(vertex(c) - vertex(a)).normalized();
-  }
-
-  bool is_flat(std::uint32_t left, std::uint32_t right) const {
-    const Eigen::Vector3d normal = unit_normal(left);
-    if (!(normal.dot(unit_normal(right)) > 0.5)) return false;
-    const Eigen::Vector3d& origin = vertex(mesh_.triangles[left][0]);
-    return std::ranges::all_of(mesh_.triangles[right], [&](std::uint32_t corner) {
-      return std::abs(normal.dot(vertex(corner) - origin)) <= tolerance_;
-    });
-  }
-
   // The longest first: they are the diagonals.
   std::vector<FlatEdge> find_flat_edges() const {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh_.triangles.size());
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Triangle& triangle = mesh_.triangles[t];
-      for (int i = 0; i < 3; ++i) sides.push_back({triangle[i], triangle[(i + 1) % 3], t});
-    }
-    std::ranges::sort(sides, {},
-                      [](const Side& side) { return std::tuple(side.key(), side.triangle); });
+    const std::vector<TriangleSide> sides = grouped_sides(mesh_);
     std::vector<FlatEdge> edges;
-    for (std::size_t i = 0; i + 1 < sides.size();) {
-      std::size_t end = i + 1;
-      while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
-      const Side& a = sides[i];
-      const Side& b = sides[i + 1];
-      if (end == i + 2 && a.from == b.to && is_flat(a.triangle, b.triangle)) {
-        edges.push_back(
-            {a.from, a.to, a.triangle, b.triangle, (vertex(a.from) - vertex(a.to)).squaredNorm()});
-      }
-      i = end;
-    }
+    for_each_edge(sides, [&](std::span<const TriangleSide> edge) {
+      if (edge.size() != 2 || edge[0].from != edge[1].to) return;
+      const auto& [from, to, left] = edge[0];
+      const std::uint32_t right = edge[1].triangle;
+      if (!coplanarity_.is_in_plane(right, left)) return;
+      edges.push_back({from, to, left, right, (vertex(from) - vertex(to)).squaredNorm()});
+    });
     std::ranges::stable_sort(edges, std::greater<>(), &FlatEdge::squared_length);
     return edges;
   }
@@ -118,10 +75,10 @@ class Joiner {
     if (!rotate_to_edge(joined, edge.to, edge.from)) return;
     if (!rotate_to_edge(other, edge.from, edge.to)) return;
     joined.insert(joined.end(), other.begin() + 1, other.end() - 1);
-    if (!is_convex(joined, unit_normal(edge.left))) return;
+    if (!is_convex(joined, coplanarity_.unit_normal(edge.left))) return;
     polygons_[left] = std::move(joined);
     polygons_[right].clear();
-    parent_[right] = left;
+    faces_.join(left, right);
   }
 
   // Begins a polygon with `first`, so that it ends with `last`; false if they are no neighbours.
@@ -132,6 +89,7 @@ class Joiner {
   }
 
   bool is_convex(const std::vector<std::uint32_t>& polygon, const Eigen::Vector3d& normal) const {
+    constexpr double flatness = CoplanarityTest::flatness;
     const std::size_t size = polygon.size();
     for (std::size_t i = 0; i < size; ++i) {
       const Eigen::Vector3d& a = vertex(polygon[i]);
@@ -143,14 +101,14 @@ class Joiner {
           before.cross(after).norm() <= flatness * before.norm() * after.norm()) {
         return false;  // it turns back on itself
       }
-      if (std::abs(normal.dot(a - vertex(polygon[0]))) > tolerance_) return false;
+      if (std::abs(normal.dot(a - vertex(polygon[0]))) > coplanarity_.tolerance()) return false;
     }
     return true;
   }
 
   const TriangleMesh& mesh_;
-  double tolerance_ = 0.0;
-  std::vector<std::uint32_t> parent_;                 // of each triangle, up to a root
+  CoplanarityTest coplanarity_;
+  DisjointSets faces_;                                // of triangles
   std::vector<std::vector<std::uint32_t>> polygons_;  // at their roots; empty for lone triangles
 };
 
