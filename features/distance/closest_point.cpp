@@ -52,18 +52,8 @@ inline float side_distance(float x, float y, float side_x, float side_y) {
 /// Squared distances to the triangles of a block: from their planes, and within the planes.
 inline void triangle_distances(const TriangleBlock& block, const LocalPoint& p, Lanes& squared) {
   for (int i = 0; i < TriangleBlock::width; ++i) {
-    const float px = p.x - block.corner[0][i];
-    const float py = p.y - block.corner[1][i];
-    const float pz = p.z - block.corner[2][i];
-    const float ux = block.along[0][i];
-    const float uy = block.along[1][i];
-    const float uz = block.along[2][i];
-    const float vx = block.across[0][i];
-    const float vy = block.across[1][i];
-    const float vz = block.across[2][i];
-    const float x = px * ux + py * uy + pz * uz;
-    const float y = px * vx + py * vy + pz * vz;
-    const float z = px * (uy * vz - uz * vy) + py * (uz * vx - ux * vz) + pz * (ux * vy - uy * vx);
+    const auto [x, y, z] = block.in_frame(i, p.x - block.corner[0][i], p.y - block.corner[1][i],
+                                          p.z - block.corner[2][i]);
     const float length = block.length[i];
     const float apex_x = block.apex[0][i];
     const float apex_y = block.apex[1][i];

@@ -38,6 +38,24 @@ struct TriangleBlock {
   float across[3][width];
   float length[width];
   float apex[2][width];
+
+  struct FramePoint {
+    float x;
+    float y;
+    float height;
+  };
+
+  /// A vector, in tree coordinates, in the frame of triangle i.
+  [[gnu::always_inline]] FramePoint in_frame(int i, float px, float py, float pz) const {
+    const float ux = along[0][i];
+    const float uy = along[1][i];
+    const float uz = along[2][i];
+    const float vx = across[0][i];
+    const float vy = across[1][i];
+    const float vz = across[2][i];
+    return {px * ux + py * uy + pz * uz, px * vx + py * vy + pz * vz,
+            px * (uy * vz - uz * vy) + py * (uz * vx - ux * vz) + pz * (ux * vy - uy * vx)};
+  }
 };
 
 /// A bounding volume hierarchy over the triangles of a mesh, eight children to a node. The

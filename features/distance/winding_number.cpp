@@ -75,20 +75,9 @@ inline void dipole_terms(const float (&center)[3][TreeNode::width],
 // 1983), in the frames of the triangles, where the sign is that of the height.
 inline void solid_angles(const TriangleBlock& block, const float (&p)[3], Lanes& winding) {
   for (int i = 0; i < TriangleBlock::width; ++i) {
-    const float px = block.corner[0][i] - p[0];
-    const float py = block.corner[1][i] - p[1];
-    const float pz = block.corner[2][i] - p[2];
-    const float ux = block.along[0][i];
-    const float uy = block.along[1][i];
-    const float uz = block.along[2][i];
-    const float vx = block.across[0][i];
-    const float vy = block.across[1][i];
-    const float vz = block.across[2][i];
     // The corners seen from the point: (ax, ay), (bx, ay), (cx, cy), all at the same height.
-    const float ax = px * ux + py * uy + pz * uz;
-    const float ay = px * vx + py * vy + pz * vz;
-    const float height =
-        px * (uy * vz - uz * vy) + py * (uz * vx - ux * vz) + pz * (ux * vy - uy * vx);
+    const auto [ax, ay, height] = block.in_frame(
+        i, block.corner[0][i] - p[0], block.corner[1][i] - p[1], block.corner[2][i] - p[2]);
     const float bx = ax + block.length[i];
     const float cx = ax + block.apex[0][i];
     const float cy = ay + block.apex[1][i];
