@@ -145,8 +145,8 @@ TEST_CASE("a notch decides which end of a rectangle is filled first") {
   CHECK(count_of(radii, plain[2]) < count_of(plain, plain[2]));
 }
 
-// All corners of the plate are equally good for the first ball; the slot says which is the best.
-TEST_CASE("equally good first balls are told apart by those that follow") {
+// All corners of the plate are equally good for the first ball; what follows depends on the slot.
+TEST_CASE("equally good first balls are told apart by the centroid") {
   const Outline slotted{{0, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 1.5}, {0.6, 1.5}, {0.6, 0.9}, {0, 0.9}};
   canonical_radii(make_prism(slotted, 0.3), 100, 1e-5);
 }

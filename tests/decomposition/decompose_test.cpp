@@ -128,6 +128,18 @@ TEST_CASE("every promise holds by brute force") {
   check_promises(mesh, result, tolerance);
 }
 
+TEST_CASE("a tolerance below the usual weight of the place holds where balls can slide") {
+  const double tolerance = GENERATE(1e-4, 1e-5, 1e-6);
+  const BallDecomposition result = decompose(MeshDistanceField(make_box({2.0, 0.3, 0.3}), true),
+                                             {.balls = 10, .radius_tolerance = tolerance});
+  REQUIRE(result.balls.size() == 10);
+  for (std::size_t i = 0; i < 10; ++i) {
+    CHECK(result.balls[i].radius <= result.upper_bounds[i]);
+    CHECK(result.upper_bounds[i] <= result.balls[i].radius * (1 + tolerance));
+  }
+  for (std::size_t i = 0; i < 6; ++i) CHECK(result.balls[i].radius >= 0.15 / (1 + tolerance));
+}
+
 TEST_CASE("the certificate of a decomposition is clean, and a spoiled one is found out") {
   const MeshDistanceField field(make_torus(1.0, 0.4, 24, 12), true);
   BallDecomposition result = decompose(field, {.balls = 50});

@@ -32,6 +32,21 @@ TEST_CASE("a mesh field measures signed distances") {
   CHECK(field.enclosing_ball().radius == Approx(1.4).epsilon(1e-3));
 }
 
+TEST_CASE("the centroid is that of the surface, however it is divided") {
+  // A square and a triangle that stands on it, far from the origin.
+  const Eigen::Vector3d shift(1000, -2000, 500);
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 3}};
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex += shift;
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 4}};
+  const Eigen::Vector3d expected =
+      shift + (Eigen::Vector3d(0.5, 0.5, 0) + 1.5 * Eigen::Vector3d(1.0 / 3, 0, 1)) / 2.5;
+  CHECK((MeshDistanceField(mesh, false).centroid() - expected).norm() < 1e-12);
+  mesh.vertices.emplace_back(0.3 * mesh.vertices[0] + 0.7 * mesh.vertices[2]);
+  mesh.triangles = {{0, 1, 5}, {5, 1, 2}, {5, 2, 3}, {0, 5, 3}, {0, 1, 4}};
+  CHECK((MeshDistanceField(mesh, false).centroid() - expected).norm() < 1e-12);
+}
+
 TEST_CASE("the distance of a closed mesh is 1-Lipschitz across its boundary") {
   const MeshDistanceField field(make_torus(1.0, 0.4, 60, 30), true);
   const std::vector<DistanceQuery> queries = random_queries(400, 1.5);
