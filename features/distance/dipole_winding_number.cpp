@@ -74,7 +74,7 @@ DipoleWindingNumber::Dipoles DipoleWindingNumber::gather(
       dipoles.center[axis][lane] = static_cast<float>(center[axis]);
       dipoles.normal[axis][lane] = static_cast<float>(area_vector[axis] / (4 * std::numbers::pi));
     }
-    dipoles.smoothing[lane] = std::max(static_cast<float>(area_vector.norm()), 1e-30F);
+    dipoles.smoothing[lane] = std::max(static_cast<float>(area_vector.norm()), 1e-24F);
   }
   return dipoles;
 }
