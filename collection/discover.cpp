@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 
 #include "features/core/errors.h"
-#include "features/shape_io/read_mesh.h"
+#include "features/shape_io/shape_files.h"
 
 namespace fs = std::filesystem;
 
@@ -44,9 +44,9 @@ class Search {
       const int error = errno;
       throw IoError(fmt::format("{}: {}", root, std::generic_category().message(error)));
     }
-    if (S_ISREG(status.st_mode) && !has_mesh_extension(root)) {
+    if (S_ISREG(status.st_mode) && !has_shape_extension(root)) {
       found_.unusable.push_back({root, fmt::format("unsupported ending; models end in {}",
-                                                   fmt::join(mesh_file_extensions(), ", "))});
+                                                   fmt::join(shape_file_extensions(), ", "))});
     } else if (S_ISDIR(status.st_mode)) {
       folders_.push_back(root);
     } else {
@@ -96,7 +96,7 @@ class Search {
       return;
     }
     if (S_ISDIR(link.st_mode)) folders_.push_back(path.string());
-    if (!has_mesh_extension(path)) return;
+    if (!is_shape_file(path)) return;
     if (::stat(path.c_str(), &status) == 0) {
       add_model(path.string(), status);
     } else {

@@ -30,7 +30,8 @@ struct Discovery {
   std::vector<UnusablePath> unusable;
 };
 
-/// Finds the regular files with the ending of a model (has_mesh_extension) at and below some paths.
+/// Finds the regular files that are models (is_shape_file) at and below some paths; those asked for
+/// by name need only the ending of one.
 ///
 /// Hidden files and folders (".git") and links to folders are passed over, unless asked for by
 /// name. Unusable are: what has the ending of a model and is a folder (it is still searched), a

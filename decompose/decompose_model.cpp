@@ -17,6 +17,7 @@ DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& 
           .representation = shape.representation,
           .statistics = shape.statistics,
           .recipe = recipe,
+          .minimum_radius = minimum_radius(shape, recipe),
           .decomposition = std::move(decomposition),
           .contacts = std::move(contacts),
           .certificate = certificate};
@@ -36,10 +37,12 @@ DecomposedModel decompose_model(const std::filesystem::path& path, const Recipe&
 
 std::string explain_shortage(const DecomposedModel& model) {
   if (model.decomposition.termination == Termination::ball_count) return {};
+  const bool is_own = model.minimum_radius > model.recipe.minimum_radius;
   return fmt::format(
-      "{} of {} balls: every further ball is smaller than the minimum radius, {} of the enclosing "
-      "ball's",
-      model.decomposition.balls.size(), model.recipe.balls, model.recipe.minimum_radius);
+      "{} of {} balls: every further ball is smaller than the minimum radius, {:.4g} of the "
+      "enclosing ball's{}",
+      model.decomposition.balls.size(), model.recipe.balls, model.minimum_radius,
+      is_own ? ", the spacing of the points" : "");
 }
 
 }  // namespace mdbd

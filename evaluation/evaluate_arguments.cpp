@@ -8,7 +8,6 @@
 
 #include "cli/number_option.h"
 #include "cli/options.h"
-#include "features/core/errors.h"
 
 namespace mdbd {
 namespace {
@@ -128,16 +127,26 @@ void add_invariance(CLI::App& app, EvaluateArguments& arguments) {
   add_worst(*command, arguments.invariance.worst);
 }
 
-/// Fails in the same way whatever follows it.
-void add_representations(CLI::App& app) {
-  app.add_subcommand("representations", "Point clouds against meshes: not supported yet")
-      ->group("Commands")
-      ->allow_extras()
-      ->callback([] {
-        throw InvalidInput(
-            "representations: point clouds are not supported yet, so there is nothing to compare "
-            "meshes with");
+void add_representations(CLI::App& app, EvaluateArguments& arguments) {
+  CLI::App* command = add_command(
+      app, arguments, "representations", "How well models are found by point clouds of themselves",
+      {}, [&](const EvaluationInput& input) {
+        return make_representations_report(input, arguments.representations);
       });
+  RepresentationsOptions& options = arguments.representations;
+  command->add_option("--points", options.points, "Points of the clouds: 5000,20000")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(std::size_t{100}, std::size_t{10'000'000}).description(""))
+      ->type_name("LIST")
+      ->default_str("5000,20000,100000");
+  add_number(*command, "--noisy-points", options.noisy_points, 100, 10'000'000,
+             "Points of the clouds with noise")
+      ->capture_default_str();
+  add_number(*command, "--noise", options.noise, 0.0, 100.0,
+             "Bound of the noise in percent of a model's diameter")
+      ->capture_default_str();
+  add_worst(*command, options.worst);
 }
 
 /// With the number of balls of the paper's section 5.3.
@@ -202,7 +211,7 @@ void declare_commands(CLI::App& app, EvaluateArguments& arguments) {
   add_retrieval(app, arguments);
   add_noise(app, arguments);
   add_invariance(app, arguments);
-  add_representations(app);
+  add_representations(app, arguments);
   add_classify(app, arguments);
   add_certificate(app, arguments);
 }

@@ -13,6 +13,7 @@
 #include "evaluation/reports/classify_report.h"
 #include "evaluation/reports/invariance_report.h"
 #include "evaluation/reports/noise_report.h"
+#include "evaluation/reports/representations_report.h"
 #include "evaluation/reports/retrieval_report.h"
 #include "evaluation/write_outputs.h"
 
@@ -37,6 +38,7 @@ struct EvaluateArguments {
   RetrievalOptions retrieval;
   NoiseOptions noise;
   InvarianceOptions invariance;
+  RepresentationsOptions representations;
   ClassifyOptions classify;
   CertificateOptions certificate;
 

@@ -1,5 +1,6 @@
 #include "features/shape.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -8,11 +9,17 @@
 #include "features/decomposition/decompose.h"
 #include "features/denoise/denoise_mesh.h"
 #include "features/distance/mesh_distance_field.h"
+#include "features/distance/point_cloud_distance_field.h"
+#include "features/point_cloud/oriented_cloud.h"
 #include "features/shape_io/read_mesh.h"
+#include "features/shape_io/read_point_cloud.h"
 
 namespace mdbd {
 
 namespace {
+
+// A ball of less than that may lie on the boundary between samples, and not inside.
+constexpr double least_radius_in_spacings = 1.0;
 
 /// The record of a mesh with what was done to it.
 std::string describe_preparation(const MeshStatistics& statistics, const DenoisedMesh& denoised) {
@@ -39,9 +46,34 @@ Shape to_shape(MeshFile file, const Recipe& recipe) {
           .field = std::make_unique<MeshDistanceField>(denoised.mesh, is_closed)};
 }
 
+/// The record of a cloud with what was made of it.
+std::string describe_cloud(const PointCloudFile& file, const OrientedCloud& oriented) {
+  const nlohmann::ordered_json record = {
+      {"points", oriented.points.size()},
+      {"points_not_finite", file.points_not_finite},
+      {"points_duplicate", file.points_duplicate},
+      {"points_outlier", oriented.outliers},
+      {"normals_given", file.cloud.has_normals()},
+      {"inside", "winding number"},
+      {"orientation", oriented.orientation},
+      {"spacing", oriented.spacing},
+      {"least_radius", least_radius_in_spacings * oriented.spacing}};
+  return record.dump();
+}
+
+Shape to_shape(const PointCloudFile& file) {
+  const OrientedCloud oriented = orient_cloud(file.cloud);
+  return {.format = file.format,
+          .representation = "point cloud",
+          .statistics = describe_cloud(file, oriented),
+          .field = std::make_unique<PointCloudDistanceField>(oriented),
+          .least_radius = least_radius_in_spacings * oriented.spacing};
+}
+
 }  // namespace
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
+  if (is_point_cloud_file(path)) return to_shape(read_point_cloud(path));
   return to_shape(read_mesh(path), recipe);
 }
 
@@ -49,15 +81,21 @@ Shape make_mesh_shape(const TriangleMesh& mesh, const Recipe& recipe) {
   return to_shape(make_mesh(mesh), recipe);
 }
 
+Shape make_cloud_shape(const PointCloud& cloud) { return to_shape(clean_point_cloud(cloud)); }
+
 TriangleMesh prepare_surface(TriangleMesh mesh, const Recipe& recipe) {
   return prepare(std::move(mesh), recipe).mesh;
+}
+
+double minimum_radius(const Shape& shape, const Recipe& recipe) {
+  return std::max(recipe.minimum_radius, shape.least_radius / shape.field->enclosing_ball().radius);
 }
 
 BallDecomposition decompose_shape(const Shape& shape, const Recipe& recipe) {
   BallDecomposition decomposition =
       decompose(*shape.field, {.balls = recipe.balls,
                                .radius_tolerance = recipe.radius_tolerance,
-                               .minimum_radius = recipe.minimum_radius});
+                               .minimum_radius = minimum_radius(shape, recipe)});
   if (decomposition.balls.empty()) {
     throw InvalidInput("empty interior: the surface encloses no ball of the minimum radius");
   }

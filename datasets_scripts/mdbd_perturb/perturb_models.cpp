@@ -63,6 +63,7 @@ std::vector<PlannedCopy> plan_folder(const Discovery& found, const fs::path& out
   std::vector<PlannedCopy> copies;
   std::set<fs::path> targets;
   for (const FoundFile& file : found.files) {
+    if (!has_mesh_extension(file.path)) continue;  // perturbations are of meshes
     PlannedCopy copy{
         .source = file.path, .name = relative_name(file.path, folder), .target = {}, .problem = {}};
     const fs::path target = output / with_format(copy.name, format);

@@ -58,6 +58,13 @@ double face_count(const DescribedModel& model) {
   return ordered_json::parse(model.statistics).at("faces").get<double>();
 }
 
+/// What a model is made of: "faces", or "points" of a cloud.
+std::pair<std::string, double> element_count(const DescribedModel& model) {
+  const ordered_json statistics = ordered_json::parse(model.statistics);
+  const std::string name = statistics.contains("faces") ? "faces" : "points";
+  return {name, statistics.at(name).get<double>()};
+}
+
 std::size_t failed_copies(const VariedModels& varied) {
   return static_cast<std::size_t>(
       std::ranges::count_if(varied.models, [](const auto& model) { return !model; }));
@@ -81,9 +88,10 @@ ordered_json measures_to_json(const Robustness& robustness) {
 
 ordered_json model_to_json(const std::string& name, const DescribedModel& model,
                            const ModelRobustness& robustness) {
+  const auto [elements, count] = element_count(model);
   return {{"name", name},
           {"scale", model.scale},
-          {"faces", face_count(model)},
+          {elements, count},
           {"self_rank", robustness.self_rank},
           {"class_found", json_or_null(robustness.is_class_found)},
           {"rank_correlation", json_or_null(robustness.rank_correlation)},
@@ -104,10 +112,15 @@ Variant perturbed_variant(const Perturbation& perturbation, std::uint64_t seed) 
 
 VariedModels describe_varied(const EvaluationInput& input, const CleanModels& clean,
                              const Perturbation& perturbation) {
-  VariedModels varied{
-      .name = perturbation.name,
-      .models = describe_models(input, clean.models, perturbed_variant(perturbation, input.seed)),
-      .robustness = std::nullopt};
+  return describe_varied(input, clean, perturbation.name,
+                         perturbed_variant(perturbation, input.seed));
+}
+
+VariedModels describe_varied(const EvaluationInput& input, const CleanModels& clean,
+                             const std::string& name, const Variant& variant) {
+  VariedModels varied{.name = name,
+                      .models = describe_models(input, clean.models, variant),
+                      .robustness = std::nullopt};
   if (failed_copies(varied) < varied.models.size()) {
     varied.robustness = measure(clean, varied.models, distance_terms(input));
   }

@@ -30,10 +30,16 @@ Variant perturbed_variant(const Perturbation& perturbation, std::uint64_t seed);
 VariedModels describe_varied(const EvaluationInput& input, const CleanModels& clean,
                              const Perturbation& perturbation);
 
+/// Describes any variants of models and compares them with the models.
+/// @param name of the change, for the report
+/// @throws as ModelCache::describe
+VariedModels describe_varied(const EvaluationInput& input, const CleanModels& clean,
+                             const std::string& name, const Variant& variant);
+
 /// The models as they are, queried against themselves: what the measures are compared with.
 VariedModels unvaried_models(const EvaluationInput& input, const CleanModels& clean);
 
-/// The faces of each changed copy relative to those of its model; empty where it failed.
+/// The faces of each changed copy (a mesh) relative to those of its model; empty where it failed.
 std::vector<std::optional<double>> face_ratios(const CleanModels& clean,
                                                const VariedModels& varied);
 
@@ -72,7 +78,8 @@ std::string number_text(const std::optional<double>& number);
 nlohmann::ordered_json to_json(const CleanModels& clean);
 
 /// {"change", "measures", "mean_shift", "mean_absolute_shift", "models": [{"name", "scale",
-/// "faces", "descriptor", "self_rank", …}, …]} with the models that did not fail.
+/// "faces" (of a cloud "points"), "descriptor", "self_rank", …}, …]} with the models that did not
+/// fail.
 nlohmann::ordered_json to_json(const CleanModels& clean, const VariedModels& varied);
 
 }  // namespace mdbd

@@ -47,4 +47,13 @@ std::string read_input_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+std::string read_beginning(const std::filesystem::path& path, std::size_t size) {
+  std::ifstream stream = open_input_file(path);
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (stream.bad()) throw IoError("cannot be read: reading stopped with an error");
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
 }  // namespace mdbd

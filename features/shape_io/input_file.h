@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -16,5 +17,9 @@ std::ifstream open_input_file(const std::filesystem::path& path);
 /// @throws InvalidInput if the file is empty or larger than 2 GiB, the most that the indices of a
 ///         mesh are made for
 std::string read_input_file(const std::filesystem::path& path);
+
+/// The first bytes of a regular file; fewer if it has no more.
+/// @throws IoError as open_input_file, and if reading fails
+std::string read_beginning(const std::filesystem::path& path, std::size_t size);
 
 }  // namespace mdbd

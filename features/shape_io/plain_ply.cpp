@@ -14,6 +14,7 @@
 
 #include "features/core/errors.h"
 #include "features/shape_io/plain_file.h"
+#include "features/shape_io/point_formats.h"
 #include "features/shape_io/text_cursor.h"
 
 namespace mdbd {
@@ -205,7 +206,15 @@ class BodyReader {
     }
   }
 
+  /// The vertices, with normals if all have them.
+  PointCloud finish_points() {
+    if (coordinates_.empty()) throw InvalidInput("the file has no points");
+    if (normals_.size() != coordinates_.size()) normals_.clear();
+    return {std::move(coordinates_), std::move(normals_)};
+  }
+
   PlainFile finish() {
+    require_usable_vertices();
     require_faces(coordinates_.size(), faces_);
     PlainFile file;
     file.extension = "ply";
@@ -260,17 +269,27 @@ class BodyReader {
 
   bool read_vertex(const Element& element) {
     std::array<std::optional<double>, 3> vertex;
+    std::array<std::optional<double>, 3> normal;
     for (const Property& property : element.properties) {
       if (!read_values(property)) return false;
-      const std::size_t axis = std::string_view("xyz").find(property.name);
-      if (property.name.size() == 1 && axis < 3 && !property.length_type) vertex[axis] = list_[0];
+      if (property.length_type || property.name.empty()) continue;
+      const std::size_t axis = std::string_view("xyz").find(property.name.back());
+      if (axis >= 3) continue;
+      if (property.name.size() == 1) vertex[axis] = list_[0];
+      if (property.name.size() == 2 && property.name.front() == 'n') normal[axis] = list_[0];
     }
     if (!vertex[0] || !vertex[1] || !vertex[2]) {
       throw InvalidInput("the vertices of the PLY file have no x, y and z");
     }
     coordinates_.emplace_back(*vertex[0], *vertex[1], *vertex[2]);
-    require_usable(coordinates_.back(), coordinates_.size() - 1);
+    if (normal[0] && normal[1] && normal[2]) {
+      normals_.emplace_back(*normal[0], *normal[1], *normal[2]);
+    }
     return true;
+  }
+
+  void require_usable_vertices() const {
+    for (std::size_t i = 0; i < coordinates_.size(); ++i) require_usable(coordinates_[i], i);
   }
 
   // Reads one value, or the values of a list, into list_; false if the file ends before.
@@ -317,6 +336,7 @@ class BodyReader {
   ValueReader values_;
   std::vector<double> list_;
   std::vector<Eigen::Vector3d> coordinates_;
+  std::vector<Eigen::Vector3d> normals_;
   std::string face_bytes_;
   std::uint64_t faces_ = 0;
 };
@@ -325,6 +345,25 @@ class BodyReader {
 
 PlainFile plain_ply(std::string_view bytes) {
   return BodyReader(bytes, read_header(bytes)).finish();
+}
+
+PointCloud read_ply_points(std::string_view bytes) {
+  return BodyReader(bytes, read_header(bytes)).finish_points();
+}
+
+bool has_ply_points_alone(std::string_view beginning) {
+  const auto count_of = [](const Header& header, std::string_view name) {
+    std::uint64_t count = 0;
+    for (const Element& element : header.elements)
+      count += element.name == name ? element.count : 0;
+    return count;
+  };
+  try {
+    const Header header = read_header(beginning);
+    return count_of(header, "vertex") > 0 && count_of(header, "face") == 0;
+  } catch (const InvalidInput&) {
+    return false;
+  }
 }
 
 }  // namespace mdbd

@@ -45,6 +45,20 @@ TEST_CASE("models are found at any depth, in order, with size and time") {
   CHECK(found.unusable.empty());
 }
 
+TEST_CASE("point clouds are models, other texts beside them are not") {
+  test::TemporaryDirectory folder;
+  folder.write("a.pcd", "");
+  folder.write("b.XYZ", "");
+  folder.write("c.txt", "0 0 0\n1 0 0\n");
+  folder.write("d.csv", "x,y,z\n0,0,0\n");
+  folder.write("readme.txt", "Points of a chair.\n");
+  folder.write("results.csv", "model,distance\na.pcd,0.1\n");
+  const Discovery found = discover_one(folder.path());
+  CHECK(names(found, folder.path()) ==
+        std::vector<std::string>{"a.pcd", "b.XYZ", "c.txt", "d.csv"});
+  CHECK(found.unusable.empty());
+}
+
 TEST_CASE("overlapping and untidy paths give each model once") {
   test::TemporaryDirectory folder;
   folder.write("a/b.off", "");
@@ -87,7 +101,7 @@ TEST_CASE("paths asked for by name") {
   test::TemporaryDirectory folder;
   const fs::path hidden = folder.write(".hidden.off", "");
   CHECK(discover_one(hidden).files.size() == 1);
-  const fs::path text = folder.write("notes.txt", "");
+  const fs::path text = folder.write("notes.md", "");
   CHECK_THAT(reason(discover_one(text), text),
              Catch::Contains("unsupported ending") && Catch::Contains(".off"));
   CHECK_THROWS_AS(discover_one(folder / "missing.off"), IoError);

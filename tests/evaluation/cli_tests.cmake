@@ -114,6 +114,8 @@ mdbd_cli_test(NAME evaluate/certificate SETUP "${make_models}"
   COMMAND sh -c "${evaluate} certificate models --balls 20 --html page.html --json report.json && \
     ${page_check} page.html && ${json_check} report.json"
   REGEXP "^Certificate of models\n")
-mdbd_cli_test(NAME evaluate/representations EXIT 1 SETUP "${make_models}"
-  COMMAND mdbd-evaluate representations models --json report.json
-  REGEXP "^mdbd-evaluate: error: representations: point clouds are not supported yet")
+mdbd_cli_test(NAME evaluate/representations SETUP "${make_models}"
+  COMMAND sh -c "${evaluate} representations models --sample 2 --points 1000,3000 --noisy-points 2000 \
+    --balls 60 --html page.html --json report.json && ${page_check} page.html && ${json_check} report.json"
+  REGEXP "^Representations on models\n" "cloud of 3000 points" "cloud of 2000 points, noise 0\\.5 %"
+         "Both signatures on the same copies" "mdbd-fused:")

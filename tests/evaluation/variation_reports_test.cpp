@@ -8,6 +8,7 @@
 #include "evaluation/report/format_report.h"
 #include "evaluation/reports/invariance_report.h"
 #include "evaluation/reports/noise_report.h"
+#include "evaluation/reports/representations_report.h"
 #include "evaluation/reports/varied_models.h"
 #include "features/core/errors.h"
 #include "features/descriptor/fused_signature.h"
@@ -261,4 +262,23 @@ TEST_CASE("copies that cannot be described are left out and said") {
              Contains("vanishing: 6 of 6 copies could not be described"));
   CHECK(to_json(clean, varied[0]) == ordered_json{{"change", "vanishing"}});
   CHECK(worst_models_table(clean, varied, 5).rows.empty());
+}
+
+TEST_CASE("the representations report queries the meshes with clouds of themselves") {
+  Bench bench;
+  RepresentationsOptions options;
+  options.points = {1000, 2000};
+  options.noisy_points = 1500;
+  const Report report = make_representations_report(bench.input(), options);
+  const ordered_json& data = report.data;
+  REQUIRE(data["changes"].size() == 3);
+  CHECK(data["changes"][0]["change"] == "cloud of 1000 points");
+  CHECK(data["changes"][2]["change"] == "cloud of 1500 points, noise 0.5 %");
+  for (const ordered_json& change : data["changes"]) {
+    check_measures(data, change);
+    for (const ordered_json& model : change["models"]) CHECK(model.contains("points"));
+  }
+  CHECK(data["signatures"].size() == 3);
+  const ordered_json again = make_representations_report(bench.input(), options).data;
+  CHECK(again == data);
 }

@@ -62,8 +62,8 @@ mdbd_cli_test(NAME index/old_failures EXIT 3 SETUP "${make_damaged} bad"
 mdbd_cli_test(NAME index/time_budget EXIT 3
   COMMAND mdbd-index ${models}/cube.off --balls 100000 --tolerance 1e-9 --model-time 200ms
   REGEXP "cube\\.off: took longer than the time budget of 0\\.2 s .--model-time.")
-mdbd_cli_test(NAME index/unsupported EXIT 3 SETUP "echo text > notes.txt"
-  COMMAND mdbd-index notes.txt REGEXP "notes\\.txt: unsupported ending; models end in \\.")
+mdbd_cli_test(NAME index/unsupported EXIT 3 SETUP "echo text > notes.md"
+  COMMAND mdbd-index notes.md REGEXP "notes\\.md: unsupported ending; models end in \\.")
 mdbd_cli_test(NAME index/hostile_name EXIT 3
   SETUP "mkdir models && : > \"$(printf 'models/a\\n\\033[2J\\377.off')\""
   COMMAND mdbd-index models REGEXP "a\\\\n\\\\x1b.2J\\\\xff\\.off: ")
