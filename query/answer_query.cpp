@@ -86,7 +86,8 @@ QueryAnswer search(const ShapeStore& store, std::string name, Query query,
   const ExactSearch collection(collect(store, options, answer.completed),
                                make_metric(store.recipe(), options));
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
-  answer.result = collection.search(query.vector, options.count, options.differences);
+  answer.result =
+      collection.search(query.vector, {.count = options.count, .differences = options.differences});
   if (!options.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
     match.hand = compare_hands(query.chirality, stored_chirality(store, match.id));
