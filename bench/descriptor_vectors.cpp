@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t half = 50;
 constexpr std::size_t cluster_size = 20;
 constexpr double cluster_spread = 0.2;  // of the standard deviation of the whole
+constexpr float fused_spread = 0.5F;    // the largest share of a shape outside of the cluster
 
 // The largest variances in the directions of the principal axes; each later one is the one before
 // by a constant factor.
@@ -58,6 +59,15 @@ void append_transformed(const Half& coordinates, std::vector<float>& values) {
   }
 }
 
+std::vector<float> blend(const std::vector<float>& left, const std::vector<float>& right,
+                         float part) {
+  std::vector<float> result(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    result[i] = (1.0F - part) * left[i] + part * right[i];
+  }
+  return result;
+}
+
 std::string name_of(std::size_t row) { return "/models/" + std::to_string(row) + ".off"; }
 
 }  // namespace
@@ -96,16 +106,16 @@ std::vector<StoredVector> mdbd_fused_vectors(std::size_t count) {
     for (Ball& ball : cloud) ball.center = ball.center.cwiseProduct(stretch);
     signatures.push_back(compute_fused_signature(cloud));
   }
-  std::uniform_real_distribution<float> share(0.0F, 0.5F);
+  std::uniform_real_distribution<float> share(0.0F, 1.0F);
   std::vector<StoredVector> vectors(count);
+  std::vector<float> centre;
   for (std::size_t row = 0; row < count; ++row) {
-    vectors[row] = {static_cast<std::int64_t>(row + 1), name_of(row), 1.0, {}};
-    const std::vector<float>& left = signatures[random() % shapes];
-    const std::vector<float>& right = signatures[random() % shapes];
-    const float part = share(random);
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      vectors[row].values.push_back((1.0F - part) * left[i] + part * right[i]);
+    if (row % cluster_size == 0) {
+      centre = blend(signatures[random() % shapes], signatures[random() % shapes], share(random));
     }
+    const float part = fused_spread * share(random);
+    vectors[row] = {static_cast<std::int64_t>(row + 1), name_of(row), 1.0,
+                    blend(centre, signatures[random() % shapes], part)};
   }
   return vectors;
 }

@@ -14,7 +14,8 @@ namespace mdbd {
 /// coseg_large): 96 % of the whole in five components. Twenty to a cluster.
 std::vector<StoredVector> mdbd_100_vectors(std::size_t count);
 
-/// Blends of two signatures mdbd-fused out of those of a thousand shapes made of random balls.
+/// Blends of signatures mdbd-fused of a thousand shapes made of random balls: each cluster blends
+/// two, and each member of it another one in.
 std::vector<StoredVector> mdbd_fused_vectors(std::size_t count);
 
 }  // namespace mdbd

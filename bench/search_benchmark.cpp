@@ -166,7 +166,7 @@ void add(const std::string& name, Function function, std::size_t rows) {
 
 template <Kind kind>
 void add_all(const std::string& signature, std::size_t rows) {
-  add(signature + "/tree", exact_search<kind, SearchMethod::tree>, rows);
+  add(signature + "/index", exact_search<kind, SearchMethod::index>, rows);
   add(signature + "/scan", exact_search<kind, SearchMethod::scan>, rows);
   add(signature + "/plain_scan", plain_scan<kind>, rows);
   add(signature + "/flann_linear", flann_index<kind, flann::LinearIndex>, rows);

@@ -13,11 +13,11 @@ namespace {
 // Sketches of more numbers rule out more vectors and take longer to compare: measured by
 // bench/search_benchmark.cpp.
 constexpr std::size_t euclidean_sketch_size = 8;
-constexpr std::size_t l1_sketch_size = 16;
+constexpr std::size_t l1_sketch_size = 64;
 
-// Building a tree takes as long as some hundred scans.
-constexpr std::size_t least_tree_size = 10'000;
-constexpr std::size_t least_tree_searches = 200;
+// Building an index takes as long as some fifty scans.
+constexpr std::size_t least_indexed_size = 10'000;
+constexpr std::size_t least_indexed_searches = 100;
 
 /// The sum of the magnitudes of the numbers of a vector.
 /// @throws InvalidInput if one is not finite or far too large
@@ -135,8 +135,8 @@ ExactSearch::ExactSearch(std::vector<StoredVector> collection,
     largest_magnitude_ = std::max(largest_magnitude_, magnitude(vector.values));
   }
   blocks_ = metric_->blocks(dimension_);
-  const bool pays = collection_.size() >= least_tree_size && searches >= least_tree_searches;
-  if (method == SearchMethod::tree || (method == SearchMethod::automatic && pays)) {
+  const bool pays = collection_.size() >= least_indexed_size && searches >= least_indexed_searches;
+  if (method == SearchMethod::index || (method == SearchMethod::automatic && pays)) {
     index_ = build_index();
   }
 }
@@ -150,7 +150,11 @@ std::optional<ExactSearch::Index> ExactSearch::build_index() const {
     sketch.write(collection_[row].values,
                  std::span(points).subspan(row * sketch.size(), sketch.size()));
   }
-  SketchTree tree(std::move(points), sketch.size(), sketch.norm());
+  if (sketch.norm() == PointNorm::l1) {
+    SketchList list(points, sketch.size());
+    return Index{std::move(sketch), std::move(list)};
+  }
+  SketchTree tree(std::move(points), sketch.size());
   return Index{std::move(sketch), std::move(tree)};
 }
 
@@ -158,14 +162,19 @@ void ExactSearch::scan(Candidates& candidates) const {
   for (std::size_t row = 0; row < collection_.size(); ++row) candidates.consider(row);
 }
 
-void ExactSearch::visit_tree(std::span<const float> query, Candidates& candidates) const {
+void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
   const double margin = index_->sketch.margin(std::max(largest_magnitude_, magnitude(query)));
   std::vector<float> sketch(index_->sketch.size());
   index_->sketch.write(query, sketch);
-  index_->tree.visit_within(sketch, candidates.limit() + margin, [&](std::size_t row) {
+  const auto visitor = [&](std::size_t row) {
     candidates.consider(row);
     return candidates.limit() + margin;
-  });
+  };
+  std::visit(
+      [&](const auto& points) {
+        points.visit_within(sketch, candidates.limit() + margin, visitor);
+      },
+      index_->points);
 }
 
 SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
@@ -182,7 +191,7 @@ SearchResult ExactSearch::search(std::span<const float> query, const SearchOptio
   magnitude(query);
   Candidates candidates(*this, query, options);
   if (index_) {
-    visit_tree(query, candidates);
+    visit_index(query, candidates);
   } else {
     scan(candidates);
   }

@@ -8,11 +8,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "features/descriptor/chirality.h"
 #include "query/metric_sketch.h"
 #include "query/signature_metric.h"
+#include "query/sketch_list.h"
 #include "query/sketch_tree.h"
 #include "store/shape_record.h"
 
@@ -61,9 +63,10 @@ struct SearchOptions {
 
 /// How a collection is searched; the answers are the same.
 enum class SearchMethod {
-  automatic,  ///< scan or tree, whatever takes less time for the searches to come
+  automatic,  ///< whatever takes less time for the searches to come
   scan,       ///< every vector is compared, in single precision first: nothing to build
-  tree        ///< FLANN's kd-tree over sketches (metric_sketch.h) says which vectors to compare
+  index       ///< sketches (metric_sketch.h) say which vectors to compare: FLANN's kd-tree of them
+              ///< for Euclidean blocks, a list for L1
 };
 
 /// Exact top-k under the metric of a signature. Every bound used is below the distance whatever
@@ -84,19 +87,19 @@ class ExactSearch {
   SearchResult search(std::span<const float> query, const SearchOptions& options = {}) const;
 
   const std::vector<StoredVector>& collection() const { return collection_; }
-  bool has_tree() const { return index_.has_value(); }
+  bool has_index() const { return index_.has_value(); }
 
  private:
   struct Candidate;
   class Candidates;
-  /// Sketches of the collection in a tree.
+  /// Sketches of the collection.
   struct Index {
     MetricSketch sketch;
-    SketchTree tree;
+    std::variant<SketchTree, SketchList> points;
   };
   std::optional<Index> build_index() const;
   void scan(Candidates& candidates) const;
-  void visit_tree(std::span<const float> query, Candidates& candidates) const;
+  void visit_index(std::span<const float> query, Candidates& candidates) const;
   Match describe(std::span<const float> query, const Candidate& candidate,
                  std::size_t differences) const;
 

@@ -45,6 +45,22 @@ float l1(const float* f, const float* g, std::size_t count) {
   return sum_of(sums);
 }
 
+MDBD_VECTORISED
+void l1_of_all(const float* point, const float* points, std::size_t dimension, float* distances,
+               std::size_t count) {
+  for (std::size_t row = 0; row < count; ++row) {
+    const float* other = points + row * dimension;
+    alignas(32) float sums[lanes] = {};
+    for (std::size_t i = 0; i < dimension; i += lanes) {
+      MDBD_LANES
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        sums[lane] += std::abs(point[i + lane] - other[i + lane]);
+      }
+    }
+    distances[row] = sum_of(sums);
+  }
+}
+
 }  // namespace
 
 double block_distance(std::span<const float> f, std::span<const float> g,
@@ -58,6 +74,11 @@ double block_distance(std::span<const float> f, std::span<const float> g,
                                     : std::sqrt(squared_l2(left, right, block.count)));
   }
   return distance;
+}
+
+void l1_distances(std::span<const float> point, std::span<const float> points,
+                  std::span<float> distances) {
+  l1_of_all(point.data(), points.data(), point.size(), distances.data(), distances.size());
 }
 
 }  // namespace mdbd

@@ -95,10 +95,10 @@ std::vector<StoredVector> models(
 
 }  // namespace
 
-TEST_CASE("the answer is that of a brute-force search, ties included, scanned or by the tree") {
+TEST_CASE("the answer is that of a brute-force search, ties included, scanned or indexed") {
   const double walk_weight = GENERATE(0.0, 0.5, 1.0, 3.0, 1.0 / 3.0);
   const std::size_t size = GENERATE(0U, 1U, 2U, 500U);
-  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::tree);
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   for (unsigned seed = 0; seed < 10; ++seed) {
     std::mt19937 generator(seed);
     const std::vector<StoredVector> collection = make_collection(size, generator);
@@ -121,7 +121,7 @@ TEST_CASE("the answer is that of a brute-force search, ties included, scanned or
 }
 
 TEST_CASE("thresholds and ranges of scale apply before the best are taken") {
-  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::tree);
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   for (unsigned seed = 0; seed < 10; ++seed) {
     std::mt19937 generator(seed);
     const std::vector<StoredVector> collection = make_collection(400, generator);
@@ -141,7 +141,7 @@ TEST_CASE("thresholds and ranges of scale apply before the best are taken") {
 }
 
 TEST_CASE("collections without any difference, or along one line, are searched like all others") {
-  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::tree);
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   const bool is_line = GENERATE(false, true);
   std::mt19937 generator(5);
   std::vector<StoredVector> collection = make_collection(300, generator);
@@ -157,7 +157,7 @@ TEST_CASE("collections without any difference, or along one line, are searched l
 }
 
 TEST_CASE("bounds spare most of a collection") {
-  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::tree);
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   std::mt19937 generator(7);
   const std::vector<StoredVector> collection = make_collection(500, generator);
   const SearchResult result =
@@ -167,16 +167,16 @@ TEST_CASE("bounds spare most of a collection") {
   CHECK(result.examined < 100);
 }
 
-TEST_CASE("a tree is built only where it pays") {
+TEST_CASE("an index is built only where it pays") {
   std::mt19937 generator(9);
   std::vector<StoredVector> collection = make_collection(12'000, generator);
-  const auto has_tree = [&](std::size_t searches) {
-    return ExactSearch(collection, similarity_metric(radius_count, 1.0), searches).has_tree();
+  const auto has_index = [&](std::size_t searches) {
+    return ExactSearch(collection, similarity_metric(radius_count, 1.0), searches).has_index();
   };
-  CHECK_FALSE(has_tree(1));
-  CHECK(has_tree(12'000));
+  CHECK_FALSE(has_index(1));
+  CHECK(has_index(12'000));
   collection.resize(100);
-  CHECK_FALSE(has_tree(12'000));
+  CHECK_FALSE(has_index(12'000));
 }
 
 TEST_CASE("the order is that of the similarity distance where L2 has another one") {
@@ -204,7 +204,7 @@ TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near m
     vector.values[dimension - 1] = 1000.0F + static_cast<float>(generator() % 64) * 6.1e-5F;
   }
   const ExactSearch search(collection, similarity_metric(radius_count, 1.0 / 3.0), 1,
-                           GENERATE(SearchMethod::scan, SearchMethod::tree));
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (const StoredVector& query : collection) {
     check_equal(search.search(query.values, {.count = 5}),
                 brute_force(collection, query.values, {.count = 5}, 1.0 / 3.0));
@@ -236,7 +236,7 @@ TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
   }
   collection[7].values = collection[3].values;
   const ExactSearch search(collection, mdbd::fused_metric(), 1,
-                           GENERATE(SearchMethod::scan, SearchMethod::tree));
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (std::size_t query = 0; query < 20; ++query) {
     const SearchResult result = search.search(collection[query].values, {.count = 10});
     std::vector<std::pair<double, std::string>> expected;
@@ -272,7 +272,7 @@ TEST_CASE("with chirality the answer is that of a brute-force search, by either 
   }
   const auto metric = make_metric(is_fused);
   const ExactSearch search(collection, make_metric(is_fused), 1,
-                           GENERATE(SearchMethod::scan, SearchMethod::tree));
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (std::size_t query = 0; query < 10; ++query) {
     const SearchResult result = search.search(collection[query].values, {.count = 10});
     std::vector<std::pair<double, std::string>> expected;

@@ -1,10 +1,12 @@
 #include "query/metric_sketch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include <catch2/catch.hpp>
 
+#include "query/sketch_list.h"
 #include "query/sketch_tree.h"
 
 using namespace mdbd;
@@ -114,26 +116,31 @@ TEST_CASE("blocks that weigh nothing have no part in a sketch") {
   CHECK(numbers == changed);
 }
 
-TEST_CASE("the tree visits what is within a radius, also where it shrinks") {
+TEST_CASE("what is within a radius is visited, also where the radius shrinks") {
   const PointNorm norm = GENERATE(PointNorm::l1, PointNorm::l2);
   constexpr std::size_t dimension = 5;
+  constexpr std::size_t rows = 2000;
   std::mt19937 random(4);
   std::uniform_real_distribution<float> anywhere;
-  std::vector<float> points(2000 * dimension);
+  std::vector<float> points(rows * dimension);
   for (float& value : points) value = std::round(8 * anywhere(random)) / 8;  // many equal points
-  const SketchTree tree(points, dimension, norm);
+  const SketchTree tree(points, dimension);
+  const SketchList list(points, dimension);
   for (std::size_t query = 0; query < 20; ++query) {
     const std::span<const float> point = std::span(points).subspan(query * dimension, dimension);
     const double radius = 0.05 * static_cast<double>(query);
-    std::vector<bool> is_visited(2000, false);
-    tree.visit_within(point, 10.0, [&](std::size_t row) {
+    std::vector<bool> is_visited(rows, false);
+    const auto visitor = [&](std::size_t row) {
       is_visited[row] = true;
       return radius;
-    });
-    for (std::size_t row = 0; row < 2000; ++row) {
+    };
+    if (norm == PointNorm::l1) list.visit_within(point, 10.0, visitor);
+    if (norm == PointNorm::l2) tree.visit_within(point, 10.0, visitor);
+    for (std::size_t row = 0; row < rows; ++row) {
       const double distance =
           sketch_distance(point, std::span(points).subspan(row * dimension, dimension), norm);
       if (distance <= radius && !is_visited[row]) FAIL_CHECK(row << " at " << distance);
     }
+    CHECK(std::ranges::count(is_visited, true) < static_cast<std::ptrdiff_t>(rows));
   }
 }
