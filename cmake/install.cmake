@@ -7,7 +7,7 @@ set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/mdbd)
 install(TARGETS mdbd_core mdbd_features mdbd_store mdbd_query EXPORT mdbd
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY features store query DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mdbd
-  FILES_MATCHING PATTERN "*.h" PATTERN query_output.h EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN *_output.h EXCLUDE PATTERN query_arguments.h EXCLUDE PATTERN run_queries.h EXCLUDE)
 
 install(EXPORT mdbd NAMESPACE mdbd:: FILE mdbd-targets.cmake DESTINATION ${package_directory})
 configure_package_config_file(

@@ -1,6 +1,5 @@
 #include "query/answer_query.h"
 
-#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,16 +7,10 @@
 #include "features/core/errors.h"
 #include "features/describe.h"
 #include "features/descriptor/chirality.h"
-#include "features/descriptor/fused_signature.h"
+#include "query/collect_vectors.h"
 
 namespace mdbd {
 namespace {
-
-/// What a shape is searched by.
-struct Query {
-  std::vector<float> vector;     ///< of the signature
-  std::vector<float> chirality;  ///< empty unless it is asked for
-};
 
 ShapeDescription describe_query(const std::filesystem::path& file, const Recipe& recipe) {
   try {
@@ -29,40 +22,15 @@ ShapeDescription describe_query(const std::filesystem::path& file, const Recipe&
   }
 }
 
-std::vector<float> stored_vector(const ShapeStore& store, std::int64_t id,
-                                 SignatureKind signature) {
-  ShapeData data = store.data(id);
-  if (signature == SignatureKind::mdbd_100) return std::move(data.signature);
-  return data.fused.empty() ? compute_fused_signature(data.balls) : std::move(data.fused);
-}
-
-// Another process may add vectors meanwhile: what is missing is asked for first, so that no model
-// is left out, and what is there by then is not taken twice.
-std::vector<StoredVector> fused_vectors(const ShapeStore& store, std::size_t& completed) {
-  const std::vector<std::int64_t> missing = store.shapes_without(stored_mdbd_fused);
-  std::vector<StoredVector> vectors = store.vectors(stored_mdbd_fused);
-  std::unordered_set<std::int64_t> known;
-  for (const StoredVector& vector : vectors) known.insert(vector.shape_id);
-  for (const std::int64_t id : missing) {
-    const std::optional<ShapeRecord> record = store.find(id);
-    if (!record || record->status == ShapeStatus::failed || known.contains(id)) continue;
-    vectors.push_back(
-        {id, record->path, record->scale, stored_vector(store, id, SignatureKind::mdbd_fused)});
-    ++completed;
-  }
-  return vectors;
-}
-
 std::vector<float> stored_chirality(const ShapeStore& store, std::int64_t id) {
   return compute_chirality(store.data(id).balls);
 }
 
-/// The vectors of a collection, with the chirality in front if it is asked for.
+/// The vectors to search, with the chirality in front if it is asked for.
 std::vector<StoredVector> collect(const ShapeStore& store, const QueryOptions& options,
                                   std::size_t& completed) {
-  std::vector<StoredVector> vectors = options.signature == SignatureKind::mdbd_100
-                                          ? store.vectors(signature_mdbd_100)
-                                          : fused_vectors(store, completed);
+  std::vector<StoredVector> vectors =
+      collect_vectors(store, options.signature, options.filter, completed);
   if (!options.has_chirality) return vectors;
   for (StoredVector& vector : vectors) {
     const std::vector<float> chirality = stored_chirality(store, vector.shape_id);
@@ -80,35 +48,52 @@ std::unique_ptr<const SignatureMetric> make_metric(const Recipe& recipe,
   return options.has_chirality ? chiral_metric(std::move(metric)) : std::move(metric);
 }
 
-QueryAnswer search(const ShapeStore& store, std::string name, Query query,
-                   const QueryOptions& options) {
-  QueryAnswer answer{.query = std::move(name), .result = {}};
-  const ExactSearch collection(collect(store, options, answer.completed),
-                               make_metric(store.recipe(), options));
+}  // namespace
+
+/// What a shape is searched by.
+struct ShapeSearch::Query {
+  std::vector<float> vector;     ///< of the signature
+  std::vector<float> chirality;  ///< empty unless it is asked for
+  double scale = 0.0;            ///< R
+};
+
+ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
+    : store_(store),
+      options_(std::move(options)),
+      search_(collect(store, options_, completed_), make_metric(store.recipe(), options_),
+              queries) {}
+
+QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
+  QueryAnswer answer{.query = std::move(name), .result = {}, .completed = completed_};
+  SearchOptions search{.count = options_.count,
+                       .threshold = options_.threshold,
+                       .differences = options_.differences};
+  if (options_.has_same_size) {
+    search.min_scale = query.scale / same_size_ratio;
+    search.max_scale = query.scale * same_size_ratio;
+  }
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
-  answer.result = collection.search(query.vector, options.count, options.differences);
-  if (!options.has_chirality) return answer;
+  answer.result = search_.search(query.vector, search);
+  if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
-    match.hand = compare_hands(query.chirality, stored_chirality(store, match.id));
+    match.hand = compare_hands(query.chirality, stored_chirality(store_, match.id));
   }
   return answer;
 }
 
-}  // namespace
-
-QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          const QueryOptions& options) {
-  ShapeDescription description = describe_query(file, store.recipe());
-  Query query{.vector = options.signature == SignatureKind::mdbd_100
+QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file) const {
+  ShapeDescription description = describe_query(file, store_.recipe());
+  Query query{.vector = options_.signature == SignatureKind::mdbd_100
                             ? std::move(description.descriptor.values)
                             : std::move(description.fused),
-              .chirality = {}};
-  if (options.has_chirality) query.chirality = compute_chirality(description.decomposition.balls);
-  return search(store, file.string(), std::move(query), options);
+              .chirality = {},
+              .scale = description.decomposition.scale};
+  if (options_.has_chirality) query.chirality = compute_chirality(description.decomposition.balls);
+  return answer(file.string(), std::move(query));
 }
 
-QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, const QueryOptions& options) {
-  const std::optional<ShapeRecord> record = store.find(id);
+QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
+  const std::optional<ShapeRecord> record = store_.find(id);
   if (!record) {
     throw InvalidInput(fmt::format("no model of the database has id {}; --json shows the ids", id));
   }
@@ -116,9 +101,20 @@ QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, const QueryOpt
     throw InvalidInput(
         fmt::format("model {} ({}) could not be indexed: {}", id, record->path, record->reason));
   }
-  Query query{.vector = stored_vector(store, id, options.signature), .chirality = {}};
-  if (options.has_chirality) query.chirality = stored_chirality(store, id);
-  return search(store, record->path, std::move(query), options);
+  Query query{.vector = stored_vector(store_, id, options_.signature),
+              .chirality = {},
+              .scale = record->scale};
+  if (options_.has_chirality) query.chirality = stored_chirality(store_, id);
+  return answer(record->path, std::move(query));
+}
+
+QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
+                          const QueryOptions& options) {
+  return ShapeSearch(store, options).by_file(file);
+}
+
+QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, const QueryOptions& options) {
+  return ShapeSearch(store, options).by_id(id);
 }
 
 }  // namespace mdbd

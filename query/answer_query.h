@@ -3,13 +3,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "features/core/signature.h"
+#include "query/collection_filter.h"
 #include "query/exact_search.h"
 #include "store/shape_store.h"
 
 namespace mdbd {
+
+/// Two models are of the same size if the larger R is at most so many times the smaller one: 1 %
+/// more, which is beyond what noise and decimation do to R, and below steps of sizes in catalogues.
+inline constexpr double same_size_ratio = 1.01;
 
 /// What is asked for.
 struct QueryOptions {
@@ -18,6 +24,9 @@ struct QueryOptions {
   bool has_chirality =
       false;  ///< mirrored shapes are told apart, at the price of reading all balls
   std::size_t differences = 0;  ///< how many of the numbers that differ the most are told
+  double threshold = std::numeric_limits<double>::infinity();  ///< the largest distance
+  CollectionFilter filter = {};
+  bool has_same_size = false;  ///< only models of the query's size: same_size_ratio
 };
 
 /// A query by the path it is known by, with its answer.
@@ -26,6 +35,29 @@ struct QueryAnswer {
   SearchResult result;
   /// Models whose vector was computed from their balls: the database is older than the signature.
   std::size_t completed = 0;
+};
+
+/// The vectors of a collection, read once for any number of queries.
+class ShapeSearch {
+ public:
+  /// @param store must outlive this object
+  /// @param queries how many are to come: many are worth an index
+  /// @throws StoreError if the collection cannot be read
+  ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries = 1);
+
+  /// As query_by_file().
+  QueryAnswer by_file(const std::filesystem::path& file) const;
+  /// As query_by_id().
+  QueryAnswer by_id(std::int64_t id) const;
+
+ private:
+  struct Query;
+  QueryAnswer answer(std::string name, Query query) const;
+
+  const ShapeStore& store_;
+  QueryOptions options_;
+  std::size_t completed_ = 0;
+  ExactSearch search_;
 };
 
 /// The models of a collection that look most like a shape file. The file is described by the recipe

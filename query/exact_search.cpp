@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
+#include <string>
 #include <utility>
 
 #include "features/core/errors.h"
@@ -11,44 +10,52 @@
 namespace mdbd {
 namespace {
 
-double norm(std::span<const float> values) {
+// Sketches of more numbers rule out more vectors and take longer to compare: measured by
+// bench/search_benchmark.cpp.
+constexpr std::size_t euclidean_sketch_size = 8;
+constexpr std::size_t l1_sketch_size = 64;
+
+// Building an index takes as long as some fifty scans.
+constexpr std::size_t least_indexed_size = 10'000;
+constexpr std::size_t least_indexed_searches = 100;
+
+/// The sum of the magnitudes of the numbers of a vector.
+/// @throws InvalidInput if one is not finite or far too large
+double magnitude(std::span<const float> values) {
   double sum = 0.0;
-  for (const float value : values) sum += static_cast<double>(value) * value;
-  return std::sqrt(sum);
+  bool is_usable = true;
+  for (const float value : values) {
+    is_usable = is_usable && std::abs(value) <= MetricSketch::largest_component;  // false for NaN
+    sum += std::abs(value);
+  }
+  if (!is_usable) throw InvalidInput("a vector holds a value that is not finite or far too large");
+  return sum;
 }
 
-// The k smallest of the numbers added, of which the largest is asked for.
-class SmallestTotals {
- public:
-  explicit SmallestTotals(std::size_t k) : k_(k) {}
-
-  void add(double total) {
-    totals_.push(total);
-    if (totals_.size() > k_) totals_.pop();
+/// What each number of two vectors adds to their distance, before the norm is taken.
+std::vector<double> weighted_differences(std::span<const MetricBlock> blocks,
+                                         std::span<const float> f, std::span<const float> g) {
+  std::vector<double> result(f.size(), 0.0);
+  for (const MetricBlock& block : blocks) {
+    for (std::size_t i = block.first; i < block.first + block.count; ++i) {
+      result[i] = block.weight * std::abs(double{f[i]} - double{g[i]});
+    }
   }
+  return result;
+}
 
-  double kth() const {
-    return totals_.size() < k_ ? std::numeric_limits<double>::infinity() : totals_.top();
-  }
-
- private:
-  std::size_t k_;
-  std::priority_queue<double> totals_;
-};
-
-/// The numbers that differ the most, as points, where what a number weighs is part of it.
 std::vector<NumberDifference> largest_differences(const SignatureMetric& metric,
+                                                  std::span<const MetricBlock> blocks,
                                                   std::span<const float> query,
                                                   std::span<const float> match, std::size_t count) {
-  const std::vector<float> f = metric.point(query);
-  const std::vector<float> g = metric.point(match);
+  const std::vector<double> added = weighted_differences(blocks, query, match);
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    if (f[i] != g[i]) order.push_back(i);
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    if (added[i] > 0.0) order.push_back(i);
   }
   count = std::min(count, order.size());
   std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(count), {},
-                            [&](std::size_t i) { return std::pair(-std::abs(f[i] - g[i]), i); });
+                            [&](std::size_t i) { return std::pair(-added[i], i); });
   std::vector<NumberDifference> result;
   for (const std::size_t i : std::span(order).first(count)) {
     result.push_back({metric.number_name(i), query[i], match[i]});
@@ -63,98 +70,148 @@ struct ExactSearch::Candidate {
   double distance;
 };
 
-ExactSearch::ExactSearch(std::vector<StoredVector> collection,
-                         std::unique_ptr<const SignatureMetric> metric)
-    : collection_(std::move(collection)),
-      metric_(std::move(metric)),
-      neighbours_(index_collection()) {
-  for (const StoredVector& vector : collection_) {
-    largest_norm_ = std::max(largest_norm_, norm(metric_->point(vector.values)));
-  }
-}
+/// The best models so far, and the distance beyond which none is of interest any more.
+class ExactSearch::Candidates {
+ public:
+  Candidates(const ExactSearch& search, std::span<const float> query, const SearchOptions& options)
+      : search_(search), query_(query), options_(options), limit_(options.threshold) {}
 
-NearestNeighbours ExactSearch::index_collection() const {
-  const std::size_t dimension = collection_.empty() ? 1 : collection_.front().values.size();
-  std::vector<float> values;
-  values.reserve(collection_.size() * dimension);
+  double limit() const { return limit_; }
+  std::size_t examined() const { return examined_; }
+
+  /// Compares a model with the query, unless a bound rules it out.
+  void consider(std::size_t row) {
+    const StoredVector& vector = search_.collection_[row];
+    if (vector.scale < options_.min_scale || vector.scale > options_.max_scale) return;
+    const double bound = block_distance(query_, vector.values, search_.blocks_);
+    if (bound * (1.0 - single_precision_margin) > limit_) return;
+    ++examined_;
+    const Candidate candidate{row, search_.metric_->distance(query_, vector.values)};
+    if (candidate.distance <= limit_) add(candidate);
+  }
+
+  /// The best, in order.
+  std::vector<Candidate> take() {
+    std::ranges::sort(best_, [this](const auto& a, const auto& b) { return is_better(a, b); });
+    return std::move(best_);
+  }
+
+ private:
+  bool is_better(const Candidate& a, const Candidate& b) const {
+    if (a.distance != b.distance) return a.distance < b.distance;
+    return search_.collection_[a.row].path < search_.collection_[b.row].path;
+  }
+
+  void add(const Candidate& candidate) {
+    const auto order = [this](const auto& a, const auto& b) { return is_better(a, b); };
+    best_.push_back(candidate);
+    std::ranges::push_heap(best_, order);
+    if (best_.size() > options_.count) {
+      std::ranges::pop_heap(best_, order);
+      best_.pop_back();
+    }
+    if (best_.size() == options_.count) limit_ = best_.front().distance;
+  }
+
+  const ExactSearch& search_;
+  std::span<const float> query_;
+  const SearchOptions& options_;
+  std::vector<Candidate> best_;  // a heap with the worst in front
+  double limit_;
+  std::size_t examined_ = 0;
+};
+
+ExactSearch::ExactSearch(std::vector<StoredVector> collection,
+                         std::unique_ptr<const SignatureMetric> metric, std::size_t searches,
+                         SearchMethod method)
+    : collection_(std::move(collection)), metric_(std::move(metric)) {
+  if (collection_.empty()) return;
+  dimension_ = collection_.front().values.size();
   for (const StoredVector& vector : collection_) {
-    if (vector.values.size() != dimension || vector.values.size() < metric_->least_size()) {
+    if (vector.values.size() != dimension_ || dimension_ < metric_->least_size()) {
       throw InvalidInput(vector.path + ": its vector has " + std::to_string(vector.values.size()) +
                          " numbers, which does not fit the collection");
     }
-    const std::vector<float> row = metric_->point(vector.values);
-    values.insert(values.end(), row.begin(), row.end());
+    largest_magnitude_ = std::max(largest_magnitude_, magnitude(vector.values));
   }
-  return {std::move(values), dimension, metric_->norm()};
+  blocks_ = metric_->blocks(dimension_);
+  const bool pays = collection_.size() >= least_indexed_size && searches >= least_indexed_searches;
+  if (method == SearchMethod::index || (method == SearchMethod::automatic && pays)) {
+    index_ = build_index();
+  }
 }
 
-// What the distance of a vector whose point is at this distance is at least, rounding considered.
-// The norm is a sum in single precision: its relative error is below half of `relative`. A point
-// may be rounded by half an epsilon of its norm, whatever their difference is.
-double ExactSearch::lower_bound(double point_distance, double query_norm) const {
-  constexpr double epsilon = std::numeric_limits<float>::epsilon();
-  const double relative = epsilon * static_cast<double>(collection_.front().values.size() + 8);
-  return point_distance * (1.0 - relative) - epsilon * (query_norm + largest_norm_);
+std::optional<ExactSearch::Index> ExactSearch::build_index() const {
+  const std::size_t size =
+      blocks_.front().norm == PointNorm::l1 ? l1_sketch_size : euclidean_sketch_size;
+  MetricSketch sketch(collection_, blocks_, size);
+  std::vector<float> points(collection_.size() * sketch.size());
+  for (std::size_t row = 0; row < collection_.size(); ++row) {
+    sketch.write(collection_[row].values,
+                 std::span(points).subspan(row * sketch.size(), sketch.size()));
+  }
+  if (sketch.norm() == PointNorm::l1) {
+    SketchList list(points, sketch.size());
+    return Index{std::move(sketch), std::move(list)};
+  }
+  SketchTree tree(std::move(points), sketch.size());
+  return Index{std::move(sketch), std::move(tree)};
 }
 
-SearchResult ExactSearch::search(std::span<const float> query, std::size_t k,
-                                 std::size_t differences) const {
-  if (k == 0) throw InvalidInput("the number of matches asked for must be at least 1");
+void ExactSearch::scan(Candidates& candidates) const {
+  for (std::size_t row = 0; row < collection_.size(); ++row) candidates.consider(row);
+}
+
+void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
+  const double margin = index_->sketch.margin(std::max(largest_magnitude_, magnitude(query)));
+  std::vector<float> sketch(index_->sketch.size());
+  index_->sketch.write(query, sketch);
+  const auto visitor = [&](std::size_t row) {
+    candidates.consider(row);
+    return candidates.limit() + margin;
+  };
+  std::visit(
+      [&](const auto& points) {
+        points.visit_within(sketch, candidates.limit() + margin, visitor);
+      },
+      index_->points);
+}
+
+SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
+  if (options.count == 0) throw InvalidInput("the number of matches asked for must be at least 1");
   SearchResult result;
   result.collection_size = collection_.size();
-  result.exact = collection_.empty();
-  const std::size_t count = std::min(k, collection_.size());
+  result.exact = true;
   result.part_names = metric_->part_names();
-  const std::vector<float> point = metric_->point(query);
-  const double query_norm = norm(point);
-  std::vector<Candidate> candidates;
-  SmallestTotals smallest(count);
-  for (std::size_t batch = count; !result.exact; batch *= 2) {
-    const std::vector<Neighbour> neighbours = neighbours_.search(point, batch);
-    for (std::size_t i = candidates.size(); i < neighbours.size() && !result.exact; ++i) {
-      // Strictly above, so that a model at the same distance is not missed: ties go by path.
-      if (lower_bound(neighbours[i].distance, query_norm) > smallest.kth()) {
-        result.exact = true;
-      } else {
-        candidates.push_back(examine(query, neighbours[i].row));
-        smallest.add(candidates.back().distance);
-      }
-    }
-    result.exact = result.exact || candidates.size() == collection_.size();
+  if (collection_.empty()) return result;
+  if (query.size() != dimension_) {
+    throw InvalidInput("a query of " + std::to_string(query.size()) +
+                       " numbers against vectors of " + std::to_string(dimension_));
   }
-  result.examined = candidates.size();
-  result.matches = best_matches(query, std::move(candidates), count, differences);
+  magnitude(query);
+  Candidates candidates(*this, query, options);
+  if (index_) {
+    visit_index(query, candidates);
+  } else {
+    scan(candidates);
+  }
+  result.examined = candidates.examined();
+  for (const Candidate& candidate : candidates.take()) {
+    result.matches.push_back(describe(query, candidate, options.differences));
+  }
   return result;
 }
 
-ExactSearch::Candidate ExactSearch::examine(std::span<const float> query, std::size_t row) const {
-  return {row, metric_->distance(query, collection_[row].values)};
-}
-
-std::vector<Match> ExactSearch::best_matches(std::span<const float> query,
-                                             std::vector<Candidate> candidates, std::size_t count,
-                                             std::size_t differences) const {
-  const auto is_better = [&](const Candidate& a, const Candidate& b) {
-    if (a.distance != b.distance) return a.distance < b.distance;
-    return collection_[a.row].path < collection_[b.row].path;
-  };
-  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
-                    candidates.end(), is_better);
-  candidates.resize(count);
-  std::vector<Match> matches;
-  matches.reserve(count);
-  for (const Candidate& candidate : candidates) {
-    const StoredVector& model = collection_[candidate.row];
-    matches.push_back(
-        {.id = model.shape_id,
-         .path = model.path,
-         .scale = model.scale,
-         .distance = candidate.distance,
-         .parts = metric_->parts(query, model.values),
-         .differences = largest_differences(*metric_, query, model.values, differences),
-         .hand = std::nullopt});
-  }
-  return matches;
+Match ExactSearch::describe(std::span<const float> query, const Candidate& candidate,
+                            std::size_t differences) const {
+  const StoredVector& model = collection_[candidate.row];
+  return {.id = model.shape_id,
+          .path = model.path,
+          .scale = model.scale,
+          .distance = candidate.distance,
+          .parts = metric_->parts(query, model.values),
+          .differences = largest_differences(*metric_, blocks_, query, model.values, differences),
+          .hand = std::nullopt};
 }
 
 }  // namespace mdbd

@@ -2,16 +2,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "features/descriptor/chirality.h"
-#include "query/nearest_neighbours.h"
+#include "query/metric_sketch.h"
 #include "query/signature_metric.h"
+#include "query/sketch_list.h"
+#include "query/sketch_tree.h"
 #include "store/shape_record.h"
 
 namespace mdbd {
@@ -45,34 +49,66 @@ struct SearchResult {
   std::size_t examined = 0;  ///< models whose distance was computed
 };
 
-/// Exact top-k under the metric of a signature. The norm of the metric's points bounds its distance
-/// d from below, so neighbours by that norm are examined in increasing order until the next norm
-/// exceeds the k-th smallest d found: the exactness certificate.
+/// What is asked of a collection.
+struct SearchOptions {
+  std::size_t count = 10;  ///< how many models, at least 1
+  /// The largest distance.
+  double threshold = std::numeric_limits<double>::infinity();
+  /// The range of R in object units: models outside are as if they were not there.
+  double min_scale = 0.0;
+  double max_scale = std::numeric_limits<double>::infinity();
+  /// How many of the numbers that differ the most are told of each match.
+  std::size_t differences = 0;
+};
+
+/// How a collection is searched; the answers are the same.
+enum class SearchMethod {
+  automatic,  ///< whatever takes less time for the searches to come
+  scan,       ///< every vector is compared, in single precision first: nothing to build
+  index       ///< sketches (metric_sketch.h) say which vectors to compare: FLANN's kd-tree of them
+              ///< for Euclidean blocks, a list for L1
+};
+
+/// Exact top-k under the metric of a signature. Every bound used is below the distance whatever
+/// rounding does, and what it does not rule out is compared in double precision: that is the
+/// exactness certificate.
 class ExactSearch {
  public:
   /// @param collection vectors of the signature, all of one dimension; may be empty
+  /// @param searches how many are to come, for SearchMethod::automatic
   /// @throws InvalidInput if a vector has another dimension than the first, fewer values than the
-  ///         metric needs, or a value that NearestNeighbours refuses
-  ExactSearch(std::vector<StoredVector> collection, std::unique_ptr<const SignatureMetric> metric);
+  ///         metric needs, or a value that is not finite or above MetricSketch::largest_component
+  ExactSearch(std::vector<StoredVector> collection, std::unique_ptr<const SignatureMetric> metric,
+              std::size_t searches = 1, SearchMethod method = SearchMethod::automatic);
 
-  /// The k nearest models, or all if there are fewer.
-  /// @param differences how many of the numbers that differ the most are told of each
-  /// @throws InvalidInput if k is 0 or the query has another dimension than the collection
-  SearchResult search(std::span<const float> query, std::size_t k,
-                      std::size_t differences = 0) const;
+  /// The nearest models within the threshold, as many as asked for or all if there are fewer.
+  /// @throws InvalidInput if the count is 0, or the query has another dimension than the collection
+  ///         or a value that the constructor refuses
+  SearchResult search(std::span<const float> query, const SearchOptions& options = {}) const;
+
+  const std::vector<StoredVector>& collection() const { return collection_; }
+  bool has_index() const { return index_.has_value(); }
 
  private:
   struct Candidate;
-  Candidate examine(std::span<const float> query, std::size_t row) const;
-  std::vector<Match> best_matches(std::span<const float> query, std::vector<Candidate> candidates,
-                                  std::size_t count, std::size_t differences) const;
-  NearestNeighbours index_collection() const;
-  double lower_bound(double point_distance, double query_norm) const;
+  class Candidates;
+  /// Sketches of the collection.
+  struct Index {
+    MetricSketch sketch;
+    std::variant<SketchTree, SketchList> points;
+  };
+  std::optional<Index> build_index() const;
+  void scan(Candidates& candidates) const;
+  void visit_index(std::span<const float> query, Candidates& candidates) const;
+  Match describe(std::span<const float> query, const Candidate& candidate,
+                 std::size_t differences) const;
 
   std::vector<StoredVector> collection_;
   std::unique_ptr<const SignatureMetric> metric_;
-  NearestNeighbours neighbours_;  // over the points of the metric
-  double largest_norm_ = 0.0;     // of the points
+  std::vector<MetricBlock> blocks_;
+  std::size_t dimension_ = 0;
+  double largest_magnitude_ = 0.0;  ///< of the vectors: the sum of the magnitudes of the numbers
+  std::optional<Index> index_;
 };
 
 }  // namespace mdbd

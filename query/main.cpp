@@ -3,96 +3,76 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/options.h"
 #include "cli/program.h"
-#include "query/answer_query.h"
+#include "query/duplicates_output.h"
+#include "query/query_arguments.h"
 #include "query/query_output.h"
+#include "query/run_queries.h"
 
 namespace {
 
-constexpr const char* examples = R"(Examples:
-  mdbd-query chair.ply                      the ten models most like chair.ply
-  mdbd-query chair.ply --top 3 --db parts.db
-  mdbd-query --id 17 --json                 by a model of the database, for programs
-  mdbd-query chair.ply --signature mdbd-fused --explain
-                                            by where the balls are, with what makes the difference
-  mdbd-query left.stl --chirality           a mirrored part comes after one of the same hand
+using mdbd::ExitCode;
 
-The answer is exact: no model of the database that is not listed is nearer.
-Exit codes: 0 done, 1 failed, 2 wrong usage.)";
+constexpr const char* program = "mdbd-query";
 
-constexpr std::size_t explained_differences = 3;
+void print_completed(std::size_t completed) {
+  if (completed == 0) return;
+  fmt::print(stderr, "{} of them had no mdbd-fused in the database; run mdbd-index to store it.\n",
+             completed);
+}
 
-struct Arguments {
-  std::filesystem::path model;
-  std::filesystem::path database;
-  std::int64_t id = 0;
-  mdbd::QueryOptions options;
-  bool is_explained = false;
-  bool is_json = false;
-  bool is_csv = false;
-};
-
-void print_note(const mdbd::QueryAnswer& answer) {
+void print_note(const mdbd::QueryAnswer& answer, bool is_filtered) {
   const mdbd::SearchResult& result = answer.result;
   if (result.collection_size == 0) {
-    fmt::print(stderr, "The database holds no models; add some with mdbd-index.\n");
+    fmt::print(stderr, "{}\n",
+               is_filtered ? "No model of the database passes the filters."
+                           : "The database holds no models; add some with mdbd-index.");
     return;
   }
   fmt::print(stderr, "Compared with {} model{}; the answer is {}.\n", result.collection_size,
              result.collection_size == 1 ? "" : "s", result.exact ? "exact" : "approximate");
-  if (answer.completed > 0) {
-    fmt::print(stderr,
-               "{} of them had no mdbd-fused in the database; run mdbd-index to store it.\n",
-               answer.completed);
-  }
+  print_completed(answer.completed);
 }
 
-void print_answer(const mdbd::QueryAnswer& answer, const Arguments& arguments) {
+ExitCode find_duplicates(const mdbd::ShapeStore& store, const mdbd::QueryArguments& arguments) {
+  const mdbd::DuplicateReport report = mdbd::find_duplicates(store, arguments.duplicates);
   if (arguments.is_json) {
-    fmt::print("{}", mdbd::format_json(answer));
-    return;
+    fmt::print("{}", mdbd::format_duplicates_json(report, arguments.duplicates.threshold));
+    return ExitCode::done;
   }
   fmt::print("{}", arguments.is_csv
-                       ? mdbd::format_csv(answer.result)
-                       : mdbd::format_table(answer.result, std::filesystem::current_path(),
-                                            arguments.is_explained));
+                       ? mdbd::format_duplicates_csv(report)
+                       : mdbd::format_duplicates_table(report, std::filesystem::current_path()));
+  std::fflush(stdout);
+  fmt::print(stderr, "{} group{} of the same shape among {} model{}.\n", report.groups.size(),
+             report.groups.size() == 1 ? "" : "s", report.compared,
+             report.compared == 1 ? "" : "s");
+  print_completed(report.completed);
+  return ExitCode::done;
+}
+
+ExitCode find_matches(const mdbd::ShapeStore& store, const mdbd::QueryArguments& arguments) {
+  const mdbd::QueryRun run = mdbd::run_queries(store, arguments);
+  fmt::print("{}", mdbd::format_answers(run, arguments, std::filesystem::current_path()));
   std::fflush(stdout);  // so that the note follows the answer where both go to one place
-  print_note(answer);
+  for (const std::string& failure : run.failures) mdbd::print_warning(program, failure);
+  if (!arguments.is_json && !run.answers.empty()) {
+    print_note(run.answers.front(), !arguments.options.filter.is_empty());
+  }
+  if (run.failures.empty()) return ExitCode::done;
+  return run.answers.empty() ? ExitCode::failed : ExitCode::partial;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Finds the models of a database that look most like a given one.", "mdbd-query");
-  app.footer(examples);
-  Arguments arguments;
-  auto* model = app.add_option("MODEL", arguments.model, "A shape file to search with");
-  auto* id = app.add_option("--id", arguments.id, "Search with this model of the database instead")
-                 ->excludes(model)
-                 ->type_name("N");
-  app.add_option("--top", arguments.options.count, "How many models to list")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  mdbd::add_database_option(app, arguments.database);
-  mdbd::add_signature_option(app, arguments.options.signature);
-  app.add_flag("--chirality", arguments.options.has_chirality,
-               "Tell left from right: show for each model whether it is of the same hand or "
-               "mirrored, and add the difference to the distance");
-  auto* explain = app.add_flag("--explain", arguments.is_explained,
-                               "Show how much of each distance each part of the signature makes, "
-                               "and which of its numbers differ the most");
-  auto* json = app.add_flag("--json", arguments.is_json, "Print a JSON object");
-  app.add_flag("--csv", arguments.is_csv, "Print CSV")->excludes(json)->excludes(explain);
-
+  CLI::App app("Finds the models of a database that look most like given ones.", program);
+  mdbd::QueryArguments arguments;
+  mdbd::declare_options(app, arguments);
   return mdbd::run_program(app, argc, argv, [&] {
-    if (model->empty() && id->empty()) throw CLI::RequiredError("MODEL or --id");
+    mdbd::finish(app, arguments);
     const auto store = mdbd::open_store_read_only(arguments.database);
-    if (arguments.is_explained) arguments.options.differences = explained_differences;
-    print_answer(id->empty() ? mdbd::query_by_file(*store, arguments.model, arguments.options)
-                             : mdbd::query_by_id(*store, arguments.id, arguments.options),
-                 arguments);
-    return mdbd::ExitCode::done;
+    return arguments.has_duplicates ? find_duplicates(*store, arguments)
+                                    : find_matches(*store, arguments);
   });
 }

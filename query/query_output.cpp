@@ -1,30 +1,15 @@
 #include "query/query_output.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/terminal.h"
+#include "cli/text_output.h"
 
 namespace mdbd {
 namespace {
-
-std::string quote_csv(const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (const char character : field) {
-    if (character == '"') quoted += '"';
-    quoted += character;
-  }
-  return quoted + '"';
-}
-
-std::string shown_path(const std::string& path, const std::filesystem::path& directory) {
-  const std::filesystem::path relative = std::filesystem::path(path).lexically_relative(directory);
-  const bool is_below = !relative.empty() && *relative.begin() != "..";
-  return printable(is_below ? relative.string() : path);
-}
 
 /// Of a part in its distance, per cent; 0 where there is no distance.
 double share(const Match& match, std::size_t part) {
@@ -51,6 +36,47 @@ nlohmann::ordered_json to_json(const std::vector<NumberDifference>& differences)
   return array;
 }
 
+nlohmann::ordered_json to_json(const QueryAnswer& answer) {
+  nlohmann::ordered_json matches = nlohmann::ordered_json::array();
+  for (const Match& match : answer.result.matches) {
+    nlohmann::ordered_json object = {{"rank", matches.size() + 1},
+                                     {"id", match.id},
+                                     {"path", match.path},
+                                     {"distance", match.distance}};
+    for (std::size_t i = 0; i < match.parts.size(); ++i) {
+      object[fmt::format("{}_distance", answer.result.part_names[i])] = match.parts[i];
+    }
+    object["scale"] = match.scale;
+    if (match.hand) object["hand"] = to_string(*match.hand);
+    if (!match.differences.empty()) object["differences"] = to_json(match.differences);
+    matches.push_back(std::move(object));
+  }
+  return {{"query", answer.query}, {"exact", answer.result.exact}, {"matches", matches}};
+}
+
+std::string dump(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string csv_header(const SearchResult& result, bool has_hand) {
+  std::string header = "rank,id,path,distance,";
+  for (const std::string_view name : result.part_names) header += fmt::format("{}_distance,", name);
+  return header + (has_hand ? "scale,hand\n" : "scale\n");
+}
+
+/// @param prefix of each line
+void append_csv(const SearchResult& result, const std::string& prefix, std::string& csv) {
+  int rank = 0;
+  for (const Match& match : result.matches) {
+    fmt::format_to(std::back_inserter(csv), "{}{},{},{},{},", prefix, ++rank, match.id,
+                   csv_field(match.path), match.distance);
+    for (const double part : match.parts) fmt::format_to(std::back_inserter(csv), "{},", part);
+    fmt::format_to(std::back_inserter(csv), "{}", match.scale);
+    if (match.hand) fmt::format_to(std::back_inserter(csv), ",{}", to_string(*match.hand));
+    csv += '\n';
+  }
+}
+
 }  // namespace
 
 std::string format_table(const SearchResult& result, const std::filesystem::path& directory,
@@ -72,38 +98,27 @@ std::string format_table(const SearchResult& result, const std::filesystem::path
   return table;
 }
 
-std::string format_json(const QueryAnswer& answer) {
-  nlohmann::ordered_json matches = nlohmann::ordered_json::array();
-  for (const Match& match : answer.result.matches) {
-    nlohmann::ordered_json object = {{"rank", matches.size() + 1},
-                                     {"id", match.id},
-                                     {"path", match.path},
-                                     {"distance", match.distance}};
-    for (std::size_t i = 0; i < match.parts.size(); ++i) {
-      object[fmt::format("{}_distance", answer.result.part_names[i])] = match.parts[i];
-    }
-    object["scale"] = match.scale;
-    if (match.hand) object["hand"] = to_string(*match.hand);
-    if (!match.differences.empty()) object["differences"] = to_json(match.differences);
-    matches.push_back(std::move(object));
-  }
-  const nlohmann::ordered_json document = {
-      {"query", answer.query}, {"exact", answer.result.exact}, {"matches", matches}};
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+std::string format_json(const QueryAnswer& answer) { return dump(to_json(answer)); }
+
+std::string format_json(std::span<const QueryAnswer> answers) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const QueryAnswer& answer : answers) array.push_back(to_json(answer));
+  return dump(array);
 }
 
 std::string format_csv(const SearchResult& result) {
-  std::string csv = "rank,id,path,distance,";
-  for (const std::string_view name : result.part_names) csv += fmt::format("{}_distance,", name);
-  csv += has_hands(result) ? "scale,hand\n" : "scale\n";
-  int rank = 0;
-  for (const Match& match : result.matches) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},", ++rank, match.id, quote_csv(match.path),
-                   match.distance);
-    for (const double part : match.parts) fmt::format_to(std::back_inserter(csv), "{},", part);
-    fmt::format_to(std::back_inserter(csv), "{}", match.scale);
-    if (match.hand) fmt::format_to(std::back_inserter(csv), ",{}", to_string(*match.hand));
-    csv += '\n';
+  std::string csv = csv_header(result, has_hands(result));
+  append_csv(result, "", csv);
+  return csv;
+}
+
+std::string format_csv(std::span<const QueryAnswer> answers) {
+  if (answers.empty()) return {};
+  const bool has_hand = std::ranges::any_of(
+      answers, [](const QueryAnswer& answer) { return has_hands(answer.result); });
+  std::string csv = "query," + csv_header(answers.front().result, has_hand);
+  for (const QueryAnswer& answer : answers) {
+    append_csv(answer.result, csv_field(answer.query) + ',', csv);
   }
   return csv;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "query/answer_query.h"
@@ -22,8 +23,15 @@ std::string format_table(const SearchResult& result, const std::filesystem::path
 /// are no UTF-8 become U+FFFD.
 std::string format_json(const QueryAnswer& answer);
 
+/// An array of objects as in format_json(const QueryAnswer&), in the order of the queries.
+std::string format_json(std::span<const QueryAnswer> answers);
+
 /// The fields of a match in format_json but the differences as CSV (RFC 4180 with plain line feeds)
 /// below a header line. Numbers read back to the same bits; paths keep their bytes.
 std::string format_csv(const SearchResult& result);
+
+/// As format_csv(const SearchResult&) for several queries below one header line, with the query in
+/// front of each line; empty if there are no answers.
+std::string format_csv(std::span<const QueryAnswer> answers);
 
 }  // namespace mdbd

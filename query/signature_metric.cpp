@@ -18,14 +18,12 @@ class SimilarityMetric final : public SignatureMetric {
   SimilarityMetric(int radius_count, double walk_weight)
       : radius_count_(radius_count), walk_weight_(walk_weight) {}
 
-  PointNorm norm() const override { return PointNorm::l2; }
-
-  std::vector<float> point(std::span<const float> vector) const override {
-    std::vector<float> result(vector.begin(), vector.end());
-    for (std::size_t i = least_size(); i < result.size(); ++i) {
-      result[i] = static_cast<float>(walk_weight_ * result[i]);
-    }
-    return result;
+  std::vector<MetricBlock> blocks(std::size_t size) const override {
+    return {{.first = 0, .count = least_size(), .norm = PointNorm::l2},
+            {.first = least_size(),
+             .count = size - least_size(),
+             .weight = walk_weight_,
+             .norm = PointNorm::l2}};
   }
 
   std::vector<std::string_view> part_names() const override { return {"radii", "walk"}; }
@@ -78,10 +76,8 @@ std::string surroundings_number_name(const Surroundings& kind, std::size_t index
 
 class FusedMetric final : public SignatureMetric {
  public:
-  PointNorm norm() const override { return PointNorm::l1; }
-
-  std::vector<float> point(std::span<const float> vector) const override {
-    return {vector.begin(), vector.end()};
+  std::vector<MetricBlock> blocks(std::size_t /*size*/) const override {
+    return {{.first = 0, .count = fused_size, .norm = PointNorm::l1}};
   }
 
   std::vector<std::string_view> part_names() const override {
@@ -114,12 +110,11 @@ class ChiralMetric final : public SignatureMetric {
  public:
   explicit ChiralMetric(std::unique_ptr<const SignatureMetric> base) : base_(std::move(base)) {}
 
-  PointNorm norm() const override { return base_->norm(); }
-
-  std::vector<float> point(std::span<const float> vector) const override {
-    std::vector<float> result = base_->point(without_chirality(vector));
-    result.insert(result.begin(), vector.begin(), vector.begin() + chirality_size);
-    return result;
+  std::vector<MetricBlock> blocks(std::size_t size) const override {
+    std::vector<MetricBlock> blocks = base_->blocks(size - chirality_size);
+    for (MetricBlock& block : blocks) block.first += chirality_size;
+    blocks.push_back({.first = 0, .count = chirality_size, .norm = norm()});
+    return blocks;
   }
 
   std::vector<std::string_view> part_names() const override {
@@ -146,6 +141,8 @@ class ChiralMetric final : public SignatureMetric {
   std::size_t least_size() const override { return base_->least_size() + chirality_size; }
 
  private:
+  PointNorm norm() const { return base_->blocks(base_->least_size()).front().norm; }
+
   static std::span<const float> without_chirality(std::span<const float> vector) {
     return vector.subspan(chirality_size);
   }

@@ -7,19 +7,19 @@
 #include <string_view>
 #include <vector>
 
-#include "query/nearest_neighbours.h"
+#include "query/metric_block.h"
 
 namespace mdbd {
 
-/// How vectors of one signature are compared: the distance that answers are ordered by, and points
-/// whose norm bounds it from below, so that an index of points can find the nearest vectors.
+/// How vectors of one signature are compared: the distance that answers are ordered by, and the
+/// blocks of numbers that it is the sum of, so that an index can bound it.
 class SignatureMetric {
  public:
   virtual ~SignatureMetric() = default;
 
-  /// The norm of the difference of two points never exceeds the distance of their vectors.
-  virtual PointNorm norm() const = 0;
-  virtual std::vector<float> point(std::span<const float> vector) const = 0;
+  /// The blocks of a vector with this many numbers, at least least_size(); all of one norm. What
+  /// they add is the distance.
+  virtual std::vector<MetricBlock> blocks(std::size_t size) const = 0;
 
   /// What a distance is made of.
   virtual std::vector<std::string_view> part_names() const = 0;
@@ -34,8 +34,7 @@ class SignatureMetric {
 };
 
 /// The similarity distance of mdbd-100 (paper, section 5.2), |f_R - g_R| + alpha |f_P - g_P|, a
-/// metric but no Euclidean one: the Euclidean distance of the points (f_R, alpha f_P) bounds it.
-/// Its parts are "radii" and "walk", the latter without alpha.
+/// metric but no Euclidean one. Its parts are "radii" and "walk", the latter without alpha.
 /// @param radius_count k of the recipe, how many of the values are radii
 /// @param walk_weight alpha, at least 0
 std::unique_ptr<const SignatureMetric> similarity_metric(int radius_count, double walk_weight);

@@ -85,6 +85,14 @@ std::string Database::read_header(int size) const {
 
 int Database::changes() const { return sqlite3_changes(handle_.get()); }
 
+void Database::back_up_to(const Database& target) const {
+  sqlite3_backup* backup = sqlite3_backup_init(target.handle_.get(), "main", handle_.get(), "main");
+  if (backup == nullptr) target.fail(sqlite3_extended_errcode(target.handle_.get()));
+  const int code = sqlite3_backup_step(backup, -1);  // all pages at once: no writer comes between
+  sqlite3_backup_finish(backup);
+  if (code != SQLITE_DONE) target.fail(code);
+}
+
 void Database::execute(const std::string& sql) const {
   const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) fail(code);

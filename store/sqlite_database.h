@@ -55,6 +55,8 @@ class Database {
   std::string read_header(int size) const;
   /// Rows changed by the last statement that changed any.
   int changes() const;
+  /// Makes another database a copy of this one, of one state, while others may use this one.
+  void back_up_to(const Database& target) const;
   /// Runs one or more statements and drops their rows.
   void execute(const std::string& sql) const;
 

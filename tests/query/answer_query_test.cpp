@@ -1,5 +1,7 @@
 #include "query/answer_query.h"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "features/descriptor/chirality.h"
@@ -118,4 +120,34 @@ TEST_CASE("the numbers that differ the most are told in order, with what they sa
   CHECK(differences[0].query == 0.5F);
   CHECK(differences[0].match == 1.5F);
   CHECK(differences[1].name == "radius 3");
+}
+
+TEST_CASE("filters apply before the best are taken, and the same size is that of the query") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const auto put = [&](const std::string& path, float number, double scale) {
+    ShapeRecord record;
+    record.path = path;
+    record.scale = scale;
+    return store->put(
+        record,
+        {.balls = random_balls(3, 1), .signature = std::vector<float>(100, number), .fused = {}});
+  };
+  const std::int64_t id = put("/bolt/a.off", 0.0F, 5.0);
+  put("/bolt/b.stl", 1.0F, 5.04);
+  put("/nut/c.stl", 2.0F, 4.0);
+  put("/nut/d.stl", 3.0F, 4.96);
+  const auto paths = [&](const QueryOptions& options) {
+    std::string result;
+    for (const Match& match : query_by_id(*store, id, options).result.matches) {
+      result += match.path + ' ';
+    }
+    return result;
+  };
+  CHECK(paths({.count = 1, .filter = {.glob = "*.stl"}}) == "/bolt/b.stl ");
+  CHECK(paths({.count = 2, .filter = {.label = "nut"}}) == "/nut/c.stl /nut/d.stl ");
+  CHECK(paths({.count = 2, .filter = {.max_scale = 4.99}}) == "/nut/c.stl /nut/d.stl ");
+  CHECK(paths({.has_same_size = true}) == "/bolt/a.off /bolt/b.stl /nut/d.stl ");
+  CHECK(paths({.filter = {.glob = "*.stl"}, .has_same_size = true}) == "/bolt/b.stl /nut/d.stl ");
+  CHECK(paths({.threshold = 2 * std::sqrt(50.0) + 1e-6}) == "/bolt/a.off /bolt/b.stl ");
 }

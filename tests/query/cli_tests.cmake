@@ -53,6 +53,30 @@ query_test(id_of_failed_model EXIT 1
     $query 1 && $query 2 && $query 3 && $query 4"
   REGEXP "damaged\\.off. could not be indexed: [^\n]")
 
+query_test(batch EXIT 3
+  COMMAND mdbd-query ${models}/boxes ${models}/other/damaged.off --db ${database} --top 1
+  REGEXP "boxes/cube\\.off\nrank +distance +model\n +1 +0\\.000000 [^\n]*cube\\.off\n\n[^\n]*long\\.off\nrank"
+         "mdbd-query: warning: [^\n]*damaged\\.off" "Compared with 3 models")
+query_test(batch_csv COMMAND mdbd-query ${models}/boxes --db ${database} --csv --threshold 0
+  REGEXP "^query,rank,id,path,.*,0,0,0,[0-9.]+\nCompared")
+query_test(batch_json COMMAND mdbd-query ${models}/boxes --db ${database} --json --top 1
+  REGEXP "^.\n  {\n    \"query\": \"[^\n]*/boxes/cube\\.off\"")
+query_test(batch_of_nothing COMMAND mdbd-query empty --db ${database} EXIT 1 SETUP "mkdir empty"
+  REGEXP "there are no models to search with")
+query_test(filters COMMAND mdbd-query --id 1 --db ${database} --class boxes --glob "l*.off"
+  REGEXP "\n +1 [^\n]*/boxes/long\\.off\nCompared with 1 model; the answer is exact\\.\n$")
+query_test(filters_pass_none COMMAND mdbd-query --id 1 --db ${database} --min-scale 1000
+  REGEXP "^No model of the database passes the filters\\.\n$")
+query_test(same_size COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --same-size
+  REGEXP "\n +1 [^\n]*/boxes/cube\\.off\n")
+query_test(duplicates COMMAND mdbd-query --duplicates --db ${database}
+  REGEXP "^0 groups of the same shape among 3 models\\.\n$")
+query_test(duplicates_json COMMAND mdbd-query --duplicates --db ${database} --json --threshold 100
+  REGEXP "\"compared\": 3,\n *\"threshold\": 100.0,\n *\"groups\": .\n *{\n *\"keep\": [0-9]+,")
+query_test(duplicates_csv COMMAND mdbd-query --duplicates --db ${database} --csv --threshold 100
+  REGEXP "^group,keep,first,first_path,second,second_path,distance,radii_distance,scale_ratio,hand,same_bytes\n1,")
+query_test(duplicates_of_a_model COMMAND mdbd-query a.off --duplicates EXIT 2 REGEXP "excludes")
+
 query_test(damaged_file COMMAND mdbd-query ${models}/other/damaged.off --db ${database} EXIT 1
   REGEXP "^mdbd-query: error: [^\n]*damaged\\.off: [^\n]+\n$")
 query_test(missing_file COMMAND mdbd-query none.off --db ${database} EXIT 1

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -14,6 +15,8 @@
 using mdbd::ExactSearch;
 using mdbd::InvalidInput;
 using mdbd::Match;
+using mdbd::SearchMethod;
+using mdbd::SearchOptions;
 using mdbd::SearchResult;
 using mdbd::similarity_distance;
 using mdbd::similarity_metric;
@@ -44,11 +47,16 @@ std::vector<StoredVector> make_collection(std::size_t size, std::mt19937& genera
 }
 
 std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
-                               std::span<const float> query, std::size_t k, double walk_weight) {
+                               std::span<const float> query, const SearchOptions& options,
+                               double walk_weight) {
   std::vector<Match> matches;
   for (const StoredVector& vector : collection) {
     const SimilarityDistance distance =
         similarity_distance(query, vector.values, radius_count, walk_weight);
+    if (distance.total > options.threshold || vector.scale < options.min_scale ||
+        vector.scale > options.max_scale) {
+      continue;
+    }
     matches.push_back({vector.shape_id,
                        vector.path,
                        vector.scale,
@@ -60,7 +68,7 @@ std::vector<Match> brute_force(const std::vector<StoredVector>& collection,
   std::ranges::sort(matches, [](const Match& a, const Match& b) {
     return std::pair(a.distance, a.path) < std::pair(b.distance, b.path);
   });
-  matches.resize(std::min(k, matches.size()));
+  matches.resize(std::min(options.count, matches.size()));
   return matches;
 }
 
@@ -87,22 +95,23 @@ std::vector<StoredVector> models(
 
 }  // namespace
 
-TEST_CASE("the answer is that of a brute-force search, ties included") {
+TEST_CASE("the answer is that of a brute-force search, ties included, scanned or indexed") {
   const double walk_weight = GENERATE(0.0, 0.5, 1.0, 3.0, 1.0 / 3.0);
   const std::size_t size = GENERATE(0U, 1U, 2U, 500U);
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   for (unsigned seed = 0; seed < 10; ++seed) {
     std::mt19937 generator(seed);
     const std::vector<StoredVector> collection = make_collection(size, generator);
     const std::vector<StoredVector> outside = make_collection(1, generator);
-    const ExactSearch search(collection, similarity_metric(radius_count, walk_weight));
+    const ExactSearch search(collection, similarity_metric(radius_count, walk_weight), 1, method);
     const bool is_member = seed % 2 == 1 && size > 0;
     const std::vector<float>& query =
         is_member ? collection[generator() % size].values : outside[0].values;
     for (const std::size_t k :
          {std::size_t{1}, std::size_t{5}, std::max<std::size_t>(size, 1), size + 10}) {
       INFO("alpha " << walk_weight << ", size " << size << ", seed " << seed << ", k " << k);
-      const SearchResult result = search.search(query, k);
-      check_equal(result, brute_force(collection, query, k, walk_weight));
+      const SearchResult result = search.search(query, {.count = k});
+      check_equal(result, brute_force(collection, query, {.count = k}, walk_weight));
       CHECK(result.exact);
       CHECK(result.collection_size == size);
       CHECK(result.examined >= result.matches.size());
@@ -111,20 +120,70 @@ TEST_CASE("the answer is that of a brute-force search, ties included") {
   }
 }
 
-TEST_CASE("the certificate spares most of a collection") {
+TEST_CASE("thresholds and ranges of scale apply before the best are taken") {
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    std::mt19937 generator(seed);
+    const std::vector<StoredVector> collection = make_collection(400, generator);
+    const ExactSearch search(collection, similarity_metric(radius_count, 1.0), 1, method);
+    const std::vector<float>& query = collection[generator() % 400].values;
+    const double some_distance = search.search(query, {.count = 30}).matches.back().distance;
+    for (const SearchOptions& options :
+         {SearchOptions{.count = 7, .min_scale = 390.0},
+          SearchOptions{.count = 500, .threshold = some_distance},
+          SearchOptions{.count = 5, .threshold = 0.0},
+          SearchOptions{.count = 20, .threshold = 1.0, .min_scale = 50.0, .max_scale = 60.0},
+          SearchOptions{.count = 3, .min_scale = 401.0}}) {
+      INFO("seed " << seed << ", count " << options.count << ", from " << options.min_scale);
+      check_equal(search.search(query, options), brute_force(collection, query, options, 1.0));
+    }
+  }
+}
+
+TEST_CASE("collections without any difference, or along one line, are searched like all others") {
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
+  const bool is_line = GENERATE(false, true);
+  std::mt19937 generator(5);
+  std::vector<StoredVector> collection = make_collection(300, generator);
+  for (std::size_t i = 0; i < collection.size(); ++i) {
+    collection[i].values.assign(dimension, is_line ? 0.01F * static_cast<float>(i % 60) : 0.25F);
+  }
+  const ExactSearch search(collection, similarity_metric(radius_count, 1.0), 1, method);
+  for (const std::size_t k : {1U, 7U, 300U}) {
+    const std::vector<float>& query = collection[42].values;
+    check_equal(search.search(query, {.count = k}),
+                brute_force(collection, query, {.count = k}, 1.0));
+  }
+}
+
+TEST_CASE("bounds spare most of a collection") {
+  const SearchMethod method = GENERATE(SearchMethod::scan, SearchMethod::index);
   std::mt19937 generator(7);
   const std::vector<StoredVector> collection = make_collection(500, generator);
   const SearchResult result =
-      ExactSearch(collection, similarity_metric(radius_count, 1.0)).search(collection[0].values, 1);
+      ExactSearch(collection, similarity_metric(radius_count, 1.0), 1, method)
+          .search(collection[0].values, {.count = 1});
   CHECK(result.exact);
   CHECK(result.examined < 100);
+}
+
+TEST_CASE("an index is built only where it pays") {
+  std::mt19937 generator(9);
+  std::vector<StoredVector> collection = make_collection(12'000, generator);
+  const auto has_index = [&](std::size_t searches) {
+    return ExactSearch(collection, similarity_metric(radius_count, 1.0), searches).has_index();
+  };
+  CHECK_FALSE(has_index(1));
+  CHECK(has_index(12'000));
+  collection.resize(100);
+  CHECK_FALSE(has_index(12'000));
 }
 
 TEST_CASE("the order is that of the similarity distance where L2 has another one") {
   // L2: corner 1.13, axis 1.2. Similarity distance: corner 1.6, axis 1.2.
   const ExactSearch search(models({{"corner", {0.8F, 0.8F}}, {"axis", {1.2F, 0.0F}}}),
                            similarity_metric(1, 1.0));
-  const SearchResult result = search.search(std::vector{0.0F, 0.0F}, 1);
+  const SearchResult result = search.search(std::vector{0.0F, 0.0F}, {.count = 1});
   REQUIRE(result.matches.size() == 1);
   CHECK(result.matches[0].path == "axis");
 }
@@ -132,8 +191,8 @@ TEST_CASE("the order is that of the similarity distance where L2 has another one
 TEST_CASE("equal distances are ordered by path, also where only one is asked for") {
   const ExactSearch search(models({{"c", {1.0F}}, {"a", {-1.0F}}, {"b", {1.0F}}}),
                            similarity_metric(1, 1.0));
-  CHECK(search.search(std::vector{0.0F}, 1).matches.at(0).path == "a");
-  CHECK(search.search(std::vector{0.0F}, 2).matches.at(1).path == "b");
+  CHECK(search.search(std::vector{0.0F}, {.count = 1}).matches.at(0).path == "a");
+  CHECK(search.search(std::vector{0.0F}, {.count = 2}).matches.at(1).path == "b");
 }
 
 TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near model") {
@@ -144,10 +203,11 @@ TEST_CASE("a walk weight that rounds the weighted vectors does not lose a near m
     vector.values.assign(dimension, 0.0F);
     vector.values[dimension - 1] = 1000.0F + static_cast<float>(generator() % 64) * 6.1e-5F;
   }
-  const ExactSearch search(collection, similarity_metric(radius_count, 1.0 / 3.0));
+  const ExactSearch search(collection, similarity_metric(radius_count, 1.0 / 3.0), 1,
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (const StoredVector& query : collection) {
-    check_equal(search.search(query.values, 5),
-                brute_force(collection, query.values, 5, 1.0 / 3.0));
+    check_equal(search.search(query.values, {.count = 5}),
+                brute_force(collection, query.values, {.count = 5}, 1.0 / 3.0));
   }
 }
 
@@ -157,8 +217,13 @@ TEST_CASE("what does not fit is refused") {
       InvalidInput);
   CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F}}}), similarity_metric(2, 1.0)), InvalidInput);
   const ExactSearch search(models({{"a", {1.0F, 2.0F}}}), similarity_metric(1, 1.0));
-  CHECK_THROWS_AS(search.search(std::vector{1.0F}, 1), InvalidInput);
-  CHECK_THROWS_AS(search.search(std::vector{1.0F, 2.0F}, 0), InvalidInput);
+  CHECK_THROWS_AS(search.search(std::vector{1.0F}), InvalidInput);
+  const float bad = GENERATE(std::numeric_limits<float>::quiet_NaN(),
+                             std::numeric_limits<float>::infinity(), -1e30F);
+  CHECK_THROWS_AS(search.search(std::vector{1.0F, bad}), InvalidInput);
+  CHECK_THROWS_AS(ExactSearch(models({{"a", {1.0F, bad}}}), similarity_metric(1, 1.0)),
+                  InvalidInput);
+  CHECK_THROWS_AS(search.search(std::vector{1.0F, 2.0F}, {.count = 0}), InvalidInput);
 }
 
 TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
@@ -170,9 +235,10 @@ TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
     for (float& value : vector.values) value = anywhere(generator);
   }
   collection[7].values = collection[3].values;
-  const ExactSearch search(collection, mdbd::fused_metric());
+  const ExactSearch search(collection, mdbd::fused_metric(), 1,
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (std::size_t query = 0; query < 20; ++query) {
-    const SearchResult result = search.search(collection[query].values, 10);
+    const SearchResult result = search.search(collection[query].values, {.count = 10});
     std::vector<std::pair<double, std::string>> expected;
     for (const StoredVector& vector : collection) {
       const auto parts = mdbd::fused_part_distances(collection[query].values, vector.values);
@@ -180,7 +246,7 @@ TEST_CASE("mdbd-fused is ordered by the sum of its parts' L1 distances") {
     }
     std::ranges::sort(expected);
     CHECK(result.exact);
-    CHECK(result.examined < 30);
+    CHECK(result.examined < 100);
     REQUIRE(result.part_names.size() == mdbd::fused_parts.size());
     for (std::size_t i = 0; i < 10; ++i) {
       const Match& match = result.matches.at(i);
@@ -205,9 +271,10 @@ TEST_CASE("with chirality the answer is that of a brute-force search, by either 
     for (float& value : vector.values) value = anywhere(generator);
   }
   const auto metric = make_metric(is_fused);
-  const ExactSearch search(collection, make_metric(is_fused));
+  const ExactSearch search(collection, make_metric(is_fused), 1,
+                           GENERATE(SearchMethod::scan, SearchMethod::index));
   for (std::size_t query = 0; query < 10; ++query) {
-    const SearchResult result = search.search(collection[query].values, 10);
+    const SearchResult result = search.search(collection[query].values, {.count = 10});
     std::vector<std::pair<double, std::string>> expected;
     for (const StoredVector& vector : collection) {
       expected.emplace_back(metric->distance(collection[query].values, vector.values), vector.path);

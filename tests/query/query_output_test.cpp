@@ -99,3 +99,16 @@ TEST_CASE("CSV quotes what needs it") {
         "1,7,/models/chair/a.off,0.30000000000000004,0.1,0.2,2.5\n"
         "2,9,\"/other/table, \"\"big\"\".obj\",1,1,0,1\n");
 }
+
+TEST_CASE("the answers of a batch name their queries") {
+  const std::vector<mdbd::QueryAnswer> answers = {{"a,b.off", example()}, {"c.off", {}}};
+  const auto document = nlohmann::json::parse(format_json(answers));
+  REQUIRE(document.size() == 2);
+  CHECK(document[0]["query"] == "a,b.off");
+  CHECK(document[0]["matches"].size() == 2);
+  CHECK(document[1]["matches"].empty());
+  CHECK_THAT(format_csv(answers),
+             Catch::StartsWith("query,rank,id,path,distance,radii_distance,walk_distance,scale\n"
+                               "\"a,b.off\",1,7,/models/chair/a.off,"));
+  CHECK(format_csv(std::vector<mdbd::QueryAnswer>{}).empty());
+}

@@ -1,0 +1,185 @@
+#include "query/duplicates.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "query/collect_vectors.h"
+#include "query/exact_search.h"
+
+namespace mdbd {
+namespace {
+
+/// Rows that are joined, directly or through others (union-find).
+class Partition {
+ public:
+  explicit Partition(std::size_t size) : parents_(size) {
+    std::iota(parents_.begin(), parents_.end(), 0);
+  }
+
+  void join(std::size_t left, std::size_t right) { parents_[root(left)] = root(right); }
+
+  std::size_t root(std::size_t row) {
+    while (parents_[row] != row) row = parents_[row] = parents_[parents_[row]];
+    return row;
+  }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/// The vectors of a collection by both signatures.
+class Collection {
+ public:
+  Collection(const ShapeStore& store, const CollectionFilter& filter, std::size_t& completed)
+      : radii_metric_(similarity_metric(store.recipe().descriptor_balls, 0.0)) {
+    std::size_t none = 0;
+    for (StoredVector& vector : collect_vectors(store, SignatureKind::mdbd_100, filter, none)) {
+      descriptors_[vector.shape_id] = std::move(vector.values);
+    }
+    std::vector<StoredVector> fused =
+        collect_vectors(store, SignatureKind::mdbd_fused, filter, completed);
+    // Another process may have added a model between the two readings.
+    std::erase_if(
+        fused, [&](const StoredVector& vector) { return !descriptors_.contains(vector.shape_id); });
+    const std::size_t searches = fused.size();
+    search_.emplace(std::move(fused), fused_metric(), searches);
+    for (std::size_t row = 0; row < vectors().size(); ++row) row_of_[vectors()[row].shape_id] = row;
+  }
+
+  const std::vector<StoredVector>& vectors() const { return search_->collection(); }
+
+  double distance(std::size_t left, std::size_t right) const {
+    return fused_->distance(vectors()[left].values, vectors()[right].values);
+  }
+
+  double radii_distance(std::size_t left, std::size_t right) const {
+    return radii_metric_->distance(descriptors_.at(vectors()[left].shape_id),
+                                   descriptors_.at(vectors()[right].shape_id));
+  }
+
+  bool are_duplicates(std::size_t left, std::size_t right, double threshold) const {
+    return distance(left, right) <= threshold &&
+           radii_distance(left, right) <= radii_share * threshold;
+  }
+
+  /// The rows that are duplicates of a row.
+  std::vector<std::size_t> duplicates_of(std::size_t row, double threshold) const {
+    const SearchOptions options{.count = std::numeric_limits<std::size_t>::max(),
+                                .threshold = threshold};
+    std::vector<std::size_t> rows;
+    for (const Match& match : search_->search(vectors()[row].values, options).matches) {
+      const std::size_t other = row_of_.at(match.id);
+      if (radii_distance(row, other) <= radii_share * threshold) rows.push_back(other);
+    }
+    return rows;
+  }
+
+ private:
+  std::unique_ptr<const SignatureMetric> radii_metric_;
+  std::unique_ptr<const SignatureMetric> fused_ = fused_metric();
+  std::unordered_map<std::int64_t, std::vector<float>> descriptors_;
+  std::unordered_map<std::int64_t, std::size_t> row_of_;
+  std::optional<ExactSearch> search_;
+};
+
+/// A model with what it is compared by.
+struct Member {
+  std::size_t row = 0;
+  ShapeRecord record;
+  std::vector<float> chirality;
+};
+
+/// The rows of the collection in groups of two and more.
+std::vector<std::vector<std::size_t>> group_rows(const Collection& collection, double threshold) {
+  const std::size_t size = collection.vectors().size();
+  Partition partition(size);
+  for (std::size_t row = 0; row < size; ++row) {
+    for (const std::size_t other : collection.duplicates_of(row, threshold)) {
+      partition.join(row, other);
+    }
+  }
+  std::map<std::size_t, std::vector<std::size_t>> groups;
+  for (std::size_t row = 0; row < size; ++row) groups[partition.root(row)].push_back(row);
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [root, rows] : groups) {
+    if (rows.size() > 1) result.push_back(std::move(rows));
+  }
+  return result;
+}
+
+/// Reads the models of a group, the one to keep first. One that was removed meanwhile is left out.
+std::vector<Member> read_members(const ShapeStore& store, const Collection& collection,
+                                 const std::vector<std::size_t>& rows) {
+  std::vector<Member> members;
+  for (const std::size_t row : rows) {
+    const std::int64_t id = collection.vectors()[row].shape_id;
+    std::optional<ShapeRecord> record = store.find(id);
+    if (!record || record->status == ShapeStatus::failed) continue;
+    members.push_back({.row = row,
+                       .record = std::move(*record),
+                       .chirality = compute_chirality(store.data(id).balls)});
+  }
+  const auto age = [](const Member& member) {
+    const ShapeRecord& record = member.record;
+    return std::tuple(record.modified_ns, record.path.size(), record.path);
+  };
+  std::ranges::sort(members, {}, [](const Member& member) { return member.record.path; });
+  if (members.empty()) return members;
+  const auto keeper = std::ranges::min_element(members, {}, age);
+  std::rotate(members.begin(), keeper, keeper + 1);
+  return members;
+}
+
+DuplicatePair compare(const Collection& collection, const std::vector<Member>& members,
+                      std::size_t first, std::size_t second) {
+  const Member& left = members[first];
+  const Member& right = members[second];
+  return {.first = first,
+          .second = second,
+          .distance = collection.distance(left.row, right.row),
+          .radii_distance = collection.radii_distance(left.row, right.row),
+          .scale_ratio = right.record.scale / left.record.scale,
+          .hand = compare_hands(left.chirality, right.chirality),
+          .has_same_bytes = !left.record.content_hash.empty() &&
+                            left.record.content_hash == right.record.content_hash};
+}
+
+DuplicateGroup describe_group(const Collection& collection, std::vector<Member> members,
+                              double threshold) {
+  DuplicateGroup group;
+  for (std::size_t first = 0; first < members.size(); ++first) {
+    for (std::size_t second = first + 1; second < members.size(); ++second) {
+      const bool is_pair = first == 0 || collection.are_duplicates(members[first].row,
+                                                                   members[second].row, threshold);
+      if (is_pair) group.pairs.push_back(compare(collection, members, first, second));
+    }
+  }
+  for (Member& member : members) group.models.push_back(std::move(member.record));
+  return group;
+}
+
+}  // namespace
+
+DuplicateReport find_duplicates(const ShapeStore& store, const DuplicateOptions& options) {
+  DuplicateReport report;
+  const Collection collection(store, options.filter, report.completed);
+  report.compared = collection.vectors().size();
+  for (const std::vector<std::size_t>& rows : group_rows(collection, options.threshold)) {
+    std::vector<Member> members = read_members(store, collection, rows);
+    if (members.size() < 2) continue;
+    report.groups.push_back(describe_group(collection, std::move(members), options.threshold));
+  }
+  std::ranges::sort(report.groups, {}, [](const DuplicateGroup& group) -> const std::string& {
+    return group.models.front().path;
+  });
+  return report;
+}
+
+}  // namespace mdbd

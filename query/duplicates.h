@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "features/descriptor/chirality.h"
+#include "query/collection_filter.h"
+#include "store/shape_store.h"
+
+namespace mdbd {
+
+/// The distance by mdbd-fused up to which two models are taken for the same shape, if their radii
+/// by mdbd-100 are within radii_share of it, too: docs/duplicates.md tells how they were measured.
+inline constexpr double duplicate_distance = 0.06;
+inline constexpr double radii_share = 1.0 / 6.0;
+
+/// What is asked for.
+struct DuplicateOptions {
+  double threshold = duplicate_distance;  ///< by mdbd-fused; radii_share of it for the radii
+  CollectionFilter filter = {};
+};
+
+/// Two models of a group, with what speaks for their being one shape.
+struct DuplicatePair {
+  std::size_t first = 0;  ///< of DuplicateGroup::models
+  std::size_t second = 0;
+  double distance = 0.0;        ///< by mdbd-fused
+  double radii_distance = 0.0;  ///< the part "radii" of the distance by mdbd-100
+  double scale_ratio = 1.0;     ///< R of the second by R of the first
+  Hand hand = Hand::none;
+  bool has_same_bytes = false;  ///< the files have the same content
+};
+
+/// Models of one shape.
+struct DuplicateGroup {
+  /// First the one that is suggested to be kept: the file that was changed last the longest ago
+  /// and, at equal times, the one with the shortest path. The others are ordered by path.
+  std::vector<ShapeRecord> models;
+  /// Every pair within the threshold, and the first model with each other one; ordered.
+  std::vector<DuplicatePair> pairs;
+};
+
+struct DuplicateReport {
+  std::vector<DuplicateGroup> groups;  ///< ordered by the path of the model to keep
+  std::size_t compared = 0;            ///< how many models
+  std::size_t completed = 0;           ///< see QueryAnswer::completed
+};
+
+/// Finds the models of a collection that are the same shape, whatever their pose, hand, scale and
+/// format: pairs within a distance by mdbd-fused, which sees where the balls are, and by the radii
+/// of mdbd-100, which part the sizes of a series; found exactly. Models that such pairs join, also
+/// through others, make a group. Every model is in one group at most.
+/// @throws StoreError if the collection cannot be read
+DuplicateReport find_duplicates(const ShapeStore& store, const DuplicateOptions& options = {});
+
+}  // namespace mdbd

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace mdbd {
+
+/// The length of a difference of vectors.
+enum class PointNorm {
+  l1,  ///< sum of the absolute values
+  l2   ///< Euclidean
+};
+
+/// Consecutive numbers of a vector, and what they add to a distance: weight * |f - g|. The
+/// distances that answers are ordered by are sums over blocks.
+struct MetricBlock {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  double weight = 1.0;  ///< at least 0
+  PointNorm norm = PointNorm::l2;
+};
+
+/// How far rounding may move a distance in single precision, relatively, at most; it is about ten
+/// times what sums of a thousand terms in eight lanes can reach.
+inline constexpr double single_precision_margin = 1e-4;
+
+/// The distance of two vectors in single precision, within single_precision_margin of the true one.
+/// @pre the blocks lie within both vectors, and no component exceeds
+///      MetricSketch::largest_component
+double block_distance(std::span<const float> f, std::span<const float> g,
+                      std::span<const MetricBlock> blocks);
+
+/// The L1 distances in single precision of a point from those that lie one after the other in
+/// `points`, `distances.size()` of them, within single_precision_margin of the true ones.
+/// @pre a point has a multiple of 8 numbers
+void l1_distances(std::span<const float> point, std::span<const float> points,
+                  std::span<float> distances);
+
+}  // namespace mdbd

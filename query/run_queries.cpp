@@ -1,0 +1,77 @@
+#include "query/run_queries.h"
+
+#include <fmt/format.h>
+
+#include "cli/text_output.h"
+#include "collection/discover.h"
+#include "features/core/errors.h"
+#include "query/query_output.h"
+
+namespace mdbd {
+namespace {
+
+bool is_batch(const QueryArguments& arguments) {
+  std::error_code error;
+  return arguments.models.size() > 1 ||
+         (arguments.models.size() == 1 &&
+          std::filesystem::is_directory(arguments.models.front(), error));
+}
+
+QueryRun run_batch(const ShapeStore& store, const QueryArguments& arguments) {
+  QueryRun run{.is_batch = true, .answers = {}, .failures = {}};
+  const Discovery found = discover(arguments.models);
+  for (const UnusablePath& path : found.unusable) {
+    run.failures.push_back(fmt::format("{}: {}", path.path, path.reason));
+  }
+  if (found.files.empty() && run.failures.empty()) {
+    throw InvalidInput("there are no models to search with");
+  }
+  const ShapeSearch search(store, arguments.options, found.files.size());
+  for (const FoundFile& file : found.files) {
+    try {
+      run.answers.push_back(search.by_file(file.path));
+    } catch (const InvalidInput& error) {
+      run.failures.emplace_back(error.what());
+    } catch (const IoError& error) {
+      run.failures.emplace_back(error.what());
+    }
+  }
+  return run;
+}
+
+std::string format_tables(const QueryRun& run, const QueryArguments& arguments,
+                          const std::filesystem::path& directory) {
+  std::string text;
+  for (const QueryAnswer& answer : run.answers) {
+    if (run.is_batch) {
+      if (!text.empty()) text += '\n';
+      text += shown_path(answer.query, directory) + '\n';
+    }
+    text += format_table(answer.result, directory, arguments.is_explained);
+  }
+  return text;
+}
+
+}  // namespace
+
+QueryRun run_queries(const ShapeStore& store, const QueryArguments& arguments) {
+  if (is_batch(arguments)) return run_batch(store, arguments);
+  const ShapeSearch search(store, arguments.options);
+  QueryRun run;
+  run.answers.push_back(arguments.models.empty() ? search.by_id(arguments.id)
+                                                 : search.by_file(arguments.models.front()));
+  return run;
+}
+
+std::string format_answers(const QueryRun& run, const QueryArguments& arguments,
+                           const std::filesystem::path& directory) {
+  if (arguments.is_json) {
+    return run.is_batch ? format_json(run.answers) : format_json(run.answers.front());
+  }
+  if (arguments.is_csv) {
+    return run.is_batch ? format_csv(run.answers) : format_csv(run.answers.front().result);
+  }
+  return format_tables(run, arguments, directory);
+}
+
+}  // namespace mdbd

@@ -1,0 +1,107 @@
+#include "store/maintenance.h"
+
+#include <system_error>
+
+#include "features/core/errors.h"
+#include "store/database_file.h"
+#include "store/sqlite_database.h"
+#include "store/sqlite_diagnosis.h"
+#include "store/sqlite_schema.h"
+
+namespace mdbd {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+  throw StoreError(path.string() + ": " + why);
+}
+
+Database open_database(const fs::path& path, Access access) {
+  if (!find_database_file(path)) {
+    refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
+  }
+  Database database(path, access);
+  require_whole_file(database);
+  require_current_schema(database);
+  return database;
+}
+
+std::int64_t query_integer(const Database& database, std::string_view sql) {
+  Statement statement(database, sql);
+  statement.step();
+  return statement.integer(0);
+}
+
+/// A file that is removed unless it is kept.
+class UnfinishedFile {
+ public:
+  explicit UnfinishedFile(fs::path path) : path_(std::move(path)) { remove(); }
+  ~UnfinishedFile() { remove(); }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  void rename_to(const fs::path& target) {
+    std::error_code error;
+    fs::rename(path_, target, error);
+    if (error) refuse(target, "cannot be written: " + error.message());
+  }
+
+ private:
+  void remove() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+
+  fs::path path_;
+};
+
+}  // namespace
+
+void backup_database(const fs::path& database, const fs::path& target) {
+  const Database source = open_database(database, Access::read_only);
+  if (find_database_file(target)) refuse(target, "is there already; name a new file");
+  require_folder_of(target);
+  UnfinishedFile copy(fs::path(target) += ".unfinished");
+  {
+    const Database destination(copy.path(), Access::read_write);
+    source.back_up_to(destination);
+  }
+  copy.rename_to(target);
+}
+
+DatabaseSize database_size(const fs::path& path) {
+  const Database database = open_database(path, Access::read_only);
+  const Transaction reading(database, Transaction::Kind::reading);
+  const auto page = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_size"));
+  const auto pages = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_count"));
+  const auto unused = static_cast<std::uint64_t>(query_integer(database, "PRAGMA freelist_count"));
+  return {.bytes = page * pages, .unused_bytes = page * unused};
+}
+
+void compact_database(const fs::path& path) {
+  const Database database = open_database(path, Access::read_write);
+  if (database.is_read_only()) throw StoreError(explain_read_only(path));
+  database.execute("VACUUM");
+  // In write-ahead mode the file itself shrinks when the log is copied into it.
+  database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+std::vector<std::string> find_damage(const fs::path& path) {
+  const Database database = open_database(path, Access::read_only);
+  const Transaction reading(database, Transaction::Kind::reading);
+  std::vector<std::string> damage;
+  Statement integrity(database, "PRAGMA integrity_check");
+  while (integrity.step()) {
+    if (integrity.text(0) != "ok") damage.push_back(integrity.text(0));
+  }
+  Statement references(database, "PRAGMA foreign_key_check");
+  while (references.step()) {
+    damage.push_back("a row of the table " + references.text(0) + " belongs to no model");
+  }
+  return damage;
+}
+
+}  // namespace mdbd

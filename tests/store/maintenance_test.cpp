@@ -1,0 +1,69 @@
+#include "store/maintenance.h"
+
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "store/shape_store.h"
+#include "store/sqlite_database.h"
+#include "tests/store/models.h"
+#include "tests/support/temporary_directory.h"
+
+using namespace mdbd;
+using namespace mdbd::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a backup has what was there, whatever is written meanwhile, and no other name") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  store->put(make_record("/a.off"), make_data(1));
+  backup_database(folder / "a.db", folder / "copy.db");
+  store->put(make_record("/b.off"), make_data(2));
+  const auto copy = open_store_read_only(folder / "copy.db");
+  REQUIRE(copy->shapes().size() == 1);
+  CHECK(is_same(copy->data(1), make_data(1)));
+  CHECK(find_damage(folder / "copy.db").empty());
+  CHECK_FALSE(std::filesystem::exists(folder / "copy.db.unfinished"));
+  const auto reopened = open_store(folder / "copy.db");
+  CHECK(reopened->put(make_record("/c.off"), make_data(3)) == 2);
+}
+
+TEST_CASE("a backup never replaces anything") {
+  const TemporaryDirectory folder;
+  open_store(folder / "a.db");
+  folder.write("copy.db", "text");
+  CHECK_THAT(store_error_of([&] { backup_database(folder / "a.db", folder / "copy.db"); }),
+             Contains("copy.db: is there already"));
+  CHECK_THAT(store_error_of([&] { backup_database(folder / "a.db", folder / "no/copy.db"); }),
+             Contains("there is no folder"));
+  CHECK_THAT(store_error_of([&] { backup_database(folder / "none.db", folder / "b.db"); }),
+             Contains("there is no such database"));
+}
+
+TEST_CASE("compacting gives the space of removed models back and keeps the others") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  for (int i = 0; i < 50; ++i) {
+    store->put(make_record("/" + std::to_string(i) + ".off"), make_data(i, 400));
+  }
+  for (std::int64_t id = 1; id < 50; ++id) store->remove(id);
+  const DatabaseSize before = database_size(folder / "a.db");
+  CHECK(before.unused_bytes > before.bytes / 2);
+  compact_database(folder / "a.db");
+  const DatabaseSize after = database_size(folder / "a.db");
+  CHECK(after.unused_bytes == 0);
+  CHECK(after.bytes < before.bytes / 4);
+  CHECK(is_same(store->data(50), make_data(49, 400)));
+}
+
+TEST_CASE("damaged pages and rows without a model are found") {
+  const TemporaryDirectory folder;
+  {
+    const auto store = open_store(folder / "a.db");
+    store->put(make_record("/a.off"), make_data(1));
+  }
+  CHECK(find_damage(folder / "a.db").empty());
+  const Database database(folder / "a.db", Access::read_write);
+  database.execute("PRAGMA foreign_keys = OFF; DELETE FROM shapes");
+  CHECK(find_damage(folder / "a.db").size() == 3);  // two vectors and the balls
+}
