@@ -28,8 +28,11 @@ Shape load_shape(const std::filesystem::path& path, const Recipe& recipe);
 /// @throws InvalidInput if it is no usable shape
 Shape make_mesh_shape(const TriangleMesh& mesh, const Recipe& recipe);
 
-/// The mesh from which the shape of a clean mesh measures its distances: denoised by denoise_mesh()
-/// unless the recipe switches that off. Without significant noise it is the same mesh.
+/// The mesh from which the shape of a clean mesh measures its distances. On a closed surface faces
+/// and shells that are the wrong way round are turned (orient_shells()); unless the recipe switches
+/// that off, noise is taken away (denoise_mesh()) and a surface that encloses nothing is given a
+/// thickness (solidify_mesh()). A clean solid is the same mesh.
+/// @throws InvalidInput if it encloses nothing and the recipe does not allow to give it a thickness
 TriangleMesh prepare_surface(TriangleMesh mesh, const Recipe& recipe);
 
 /// Decomposes a shape as the recipe says.
