@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "features/core/errors.h"
-#include "features/describe.h"
 #include "features/descriptor/chirality.h"
 #include "features/descriptor/fused_signature.h"
 
@@ -19,9 +18,10 @@ struct Query {
   std::vector<float> chirality;  ///< empty unless it is asked for
 };
 
-ShapeDescription describe_query(const std::filesystem::path& file, const Recipe& recipe) {
+ShapeDescription describe_query(const std::filesystem::path& file, const Recipe& recipe,
+                                const DescribeQuery& describe) {
   try {
-    return describe_file(file, recipe);
+    return describe(file, recipe);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const IoError& error) {
@@ -97,8 +97,8 @@ QueryAnswer search(const ShapeStore& store, std::string name, Query query,
 }  // namespace
 
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          const QueryOptions& options) {
-  ShapeDescription description = describe_query(file, store.recipe());
+                          const QueryOptions& options, const DescribeQuery& describe) {
+  ShapeDescription description = describe_query(file, store.recipe(), describe);
   Query query{.vector = options.signature == SignatureKind::mdbd_100
                             ? std::move(description.descriptor.values)
                             : std::move(description.fused),

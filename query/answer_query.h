@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "features/core/signature.h"
+#include "features/describe.h"
 #include "query/exact_search.h"
 #include "store/shape_store.h"
 
@@ -28,13 +30,18 @@ struct QueryAnswer {
   std::size_t completed = 0;
 };
 
+/// Describes a file by a recipe; throws as describe_file() does.
+using DescribeQuery = std::function<ShapeDescription(const std::filesystem::path&, const Recipe&)>;
+
 /// The models of a collection that look most like a shape file. The file is described by the recipe
 /// of the collection, so that an indexed file finds itself at distance 0.
 /// @throws IoError or InvalidInput, with the path in front of the reason, if the file cannot be
 /// used
 /// @throws StoreError if the collection cannot be read
+/// @param describe does it in a process of its own if the file is not to be trusted
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          const QueryOptions& options = {});
+                          const QueryOptions& options = {},
+                          const DescribeQuery& describe = describe_file);
 
 /// The models of a collection that look most like one of its own, which is among them. Needs no
 /// file: vector and balls are the stored ones.

@@ -5,6 +5,7 @@
 
 #include "cli/options.h"
 #include "cli/program.h"
+#include "collection/isolated.h"
 #include "query/answer_query.h"
 #include "query/query_output.h"
 
@@ -28,10 +29,18 @@ struct Arguments {
   std::filesystem::path database;
   std::int64_t id = 0;
   mdbd::QueryOptions options;
+  mdbd::ProcessLimits limits;
   bool is_explained = false;
   bool is_json = false;
   bool is_csv = false;
 };
+
+mdbd::QueryAnswer query_by_file(const mdbd::ShapeStore& store, const Arguments& arguments) {
+  const auto describe = [&](const std::filesystem::path& file, const mdbd::Recipe& recipe) {
+    return mdbd::describe_isolated(file, recipe, arguments.limits);
+  };
+  return mdbd::query_by_file(store, arguments.model, arguments.options, describe);
+}
 
 void print_note(const mdbd::QueryAnswer& answer) {
   const mdbd::SearchResult& result = answer.result;
@@ -77,6 +86,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   mdbd::add_database_option(app, arguments.database);
   mdbd::add_signature_option(app, arguments.options.signature);
+  mdbd::add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of MODEL");
+  mdbd::add_size_option(app, "--model-memory", arguments.limits.memory, "Memory budget of MODEL");
   app.add_flag("--chirality", arguments.options.has_chirality,
                "Tell left from right: show for each model whether it is of the same hand or "
                "mirrored, and add the difference to the distance");
@@ -90,7 +101,7 @@ int main(int argc, char** argv) {
     if (model->empty() && id->empty()) throw CLI::RequiredError("MODEL or --id");
     const auto store = mdbd::open_store_read_only(arguments.database);
     if (arguments.is_explained) arguments.options.differences = explained_differences;
-    print_answer(id->empty() ? mdbd::query_by_file(*store, arguments.model, arguments.options)
+    print_answer(id->empty() ? query_by_file(*store, arguments)
                              : mdbd::query_by_id(*store, arguments.id, arguments.options),
                  arguments);
     return mdbd::ExitCode::done;
