@@ -62,6 +62,16 @@ CLI::Option* add_denoise_option(CLI::App& app, std::optional<std::string>& denoi
       ->default_str("auto");
 }
 
+CLI::Option* add_solidify_option(CLI::App& app, std::optional<std::string>& solidify) {
+  return app
+      .add_option("--solidify", solidify,
+                  "auto gives surfaces that enclose nothing a thickness and says so; off refuses "
+                  "them")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->type_name("MODE")
+      ->default_str("auto");
+}
+
 std::string format_size(std::uint64_t bytes) {
   constexpr std::array units = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
   std::size_t unit = 0;

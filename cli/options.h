@@ -34,6 +34,9 @@ CLI::Option* add_duration_option(CLI::App& app, const std::string& name,
 /// Adds `--denoise auto|off`, Recipe::denoise; stays empty if it is not given.
 CLI::Option* add_denoise_option(CLI::App& app, std::optional<std::string>& denoise);
 
+/// Adds `--solidify auto|off`, Recipe::solidify; stays empty if it is not given.
+CLI::Option* add_solidify_option(CLI::App& app, std::optional<std::string>& solidify);
+
 /// A number of bytes for people: "2 GiB", "512 MiB", "1.5 KiB", "17 B".
 std::string format_size(std::uint64_t bytes);
 

@@ -4,7 +4,7 @@
 #include "cli/options.h"
 #include "cli/program.h"
 #include "cli/terminal.h"
-#include "decompose/ball_output.h"
+#include "decompose/isolated_decomposition.h"
 #include "features/core/errors.h"
 #include "features/shape_io/output_file.h"
 
@@ -57,19 +57,23 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   std::optional<std::string> denoise;
   mdbd::add_denoise_option(app, denoise);
+  std::optional<std::string> solidify;
+  mdbd::add_solidify_option(app, solidify);
+  mdbd::ProcessLimits limits;
+  mdbd::add_duration_option(app, "--model-time", limits.time, "Time budget of the model");
+  mdbd::add_size_option(app, "--model-memory", limits.memory, "Memory budget of the model");
 
   return mdbd::run_program(app, argc, argv, [&] {
     recipe.denoise = denoise.value_or(recipe.denoise);
+    recipe.solidify = solidify.value_or(recipe.solidify);
     require_valid(recipe);
     const auto format = output.empty() ? mdbd::BallFormat::csv : require_format(output);
-    const mdbd::DecomposedModel result = mdbd::decompose_model(model, recipe);
-    const std::string text = mdbd::format_balls(result, format);
+    const auto [text, shortage] = mdbd::decompose_isolated(model, recipe, format, limits);
     if (output.empty()) {
       fmt::print("{}", text);
     } else {
       mdbd::write_file(output, text);
     }
-    const std::string shortage = mdbd::explain_shortage(result);
     if (!shortage.empty()) {
       fmt::print(stderr, "{}: {}\n", mdbd::printable(model.string()), shortage);
     }

@@ -42,6 +42,7 @@ void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recip
   add_number(app, "--balls", arguments.balls, 1, 100'000, "Balls of a model")
       ->default_str(std::to_string(defaults.balls));
   add_denoise_option(app, arguments.denoise);
+  add_solidify_option(app, arguments.solidify);
   add_number(app, "--jobs", arguments.cache.jobs, 1, 1024, "Models computed at once")
       ->capture_default_str();
   app.add_option("--cache", arguments.cache.folder, "Keep what is computed in this folder")
@@ -66,6 +67,7 @@ CLI::App* add_command(CLI::App& app, EvaluateArguments& arguments, const char* n
     arguments.recipe = defaults;
     arguments.recipe.balls = arguments.balls.value_or(defaults.balls);
     arguments.recipe.denoise = arguments.denoise.value_or(defaults.denoise);
+    arguments.recipe.solidify = arguments.solidify.value_or(defaults.solidify);
     arguments.make_report = make;
   });
   return command;

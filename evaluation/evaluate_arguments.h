@@ -31,6 +31,7 @@ struct EvaluateArguments {
   std::size_t sample_size = 0;  ///< models of each class; 0 takes all
   std::optional<int> balls;
   std::optional<std::string> denoise;
+  std::optional<std::string> solidify;
   CacheOptions cache;
   SignatureKind signature = SignatureKind::mdbd_100;
   bool is_quiet = false;

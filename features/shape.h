@@ -39,8 +39,11 @@ Shape make_cloud_shape(const PointCloud& cloud);
 /// that is larger.
 double minimum_radius(const Shape& shape, const Recipe& recipe);
 
-/// The mesh from which the shape of a clean mesh measures its distances: denoised by denoise_mesh()
-/// unless the recipe switches that off. Without significant noise it is the same mesh.
+/// The mesh from which the shape of a clean mesh measures its distances. On a closed surface faces
+/// and shells that are the wrong way round are turned (orient_shells()); unless the recipe switches
+/// that off, noise is taken away (denoise_mesh()) and a surface that encloses nothing is given a
+/// thickness (solidify_mesh()). A clean solid is the same mesh.
+/// @throws InvalidInput if it encloses nothing and the recipe does not allow to give it a thickness
 TriangleMesh prepare_surface(TriangleMesh mesh, const Recipe& recipe);
 
 /// Decomposes a shape as the recipe says.

@@ -40,6 +40,7 @@ void declare_options(CLI::App& app, IndexArguments& arguments) {
              "Tolerance of radii, relative")
       ->default_str(CLI::detail::to_string(defaults.radius_tolerance));
   add_denoise_option(app, arguments.recipe.denoise);
+  add_solidify_option(app, arguments.recipe.solidify);
   add_duration_option(app, "--model-time", options.limits.time, "Time budget of a model");
   add_size_option(app, "--model-memory", options.limits.memory, "Memory budget of a model");
   app.add_flag("--force", options.force, "Compute unchanged and failed models again");

@@ -13,6 +13,7 @@ Recipe with_overrides(Recipe recipe, const RecipeOverrides& overrides) {
   recipe.balls = overrides.balls.value_or(recipe.balls);
   recipe.radius_tolerance = overrides.radius_tolerance.value_or(recipe.radius_tolerance);
   recipe.denoise = overrides.denoise.value_or(recipe.denoise);
+  recipe.solidify = overrides.solidify.value_or(recipe.solidify);
   validate(recipe);
   return recipe;
 }

@@ -14,6 +14,7 @@ struct RecipeOverrides {
   std::optional<int> balls;
   std::optional<double> radius_tolerance;
   std::optional<std::string> denoise = {};
+  std::optional<std::string> solidify = {};
 };
 
 /// Opens the database of an index run. A new one gets the default recipe with the overrides; an

@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 
 #include "features/core/errors.h"
-#include "features/describe.h"
 #include "features/descriptor/chirality.h"
 #include "query/collect_vectors.h"
 
 namespace mdbd {
 namespace {
 
-ShapeDescription describe_query(const std::filesystem::path& file, const Recipe& recipe) {
+ShapeDescription describe_query(const std::filesystem::path& file, const Recipe& recipe,
+                                const DescribeQuery& describe) {
   try {
-    return describe_file(file, recipe);
+    return describe(file, recipe);
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{}: {}", file.string(), error.what()));
   } catch (const IoError& error) {
@@ -81,8 +81,9 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   return answer;
 }
 
-QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file) const {
-  ShapeDescription description = describe_query(file, store_.recipe());
+QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
+                                 const DescribeQuery& describe) const {
+  ShapeDescription description = describe_query(file, store_.recipe(), describe);
   Query query{.vector = options_.signature == SignatureKind::mdbd_100
                             ? std::move(description.descriptor.values)
                             : std::move(description.fused),
@@ -109,8 +110,8 @@ QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
 }
 
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          const QueryOptions& options) {
-  return ShapeSearch(store, options).by_file(file);
+                          const QueryOptions& options, const DescribeQuery& describe) {
+  return ShapeSearch(store, options).by_file(file, describe);
 }
 
 QueryAnswer query_by_id(const ShapeStore& store, std::int64_t id, const QueryOptions& options) {

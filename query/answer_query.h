@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <string>
 
 #include "features/core/signature.h"
+#include "features/describe.h"
 #include "query/collection_filter.h"
 #include "query/exact_search.h"
 #include "store/shape_store.h"
@@ -37,6 +39,9 @@ struct QueryAnswer {
   std::size_t completed = 0;
 };
 
+/// Describes a file by a recipe; throws as describe_file() does.
+using DescribeQuery = std::function<ShapeDescription(const std::filesystem::path&, const Recipe&)>;
+
 /// The vectors of a collection, read once for any number of queries.
 class ShapeSearch {
  public:
@@ -46,7 +51,8 @@ class ShapeSearch {
   ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries = 1);
 
   /// As query_by_file().
-  QueryAnswer by_file(const std::filesystem::path& file) const;
+  QueryAnswer by_file(const std::filesystem::path& file,
+                      const DescribeQuery& describe = describe_file) const;
   /// As query_by_id().
   QueryAnswer by_id(std::int64_t id) const;
 
@@ -65,8 +71,10 @@ class ShapeSearch {
 /// @throws IoError or InvalidInput, with the path in front of the reason, if the file cannot be
 /// used
 /// @throws StoreError if the collection cannot be read
+/// @param describe does it in a process of its own if the file is not to be trusted
 QueryAnswer query_by_file(const ShapeStore& store, const std::filesystem::path& file,
-                          const QueryOptions& options = {});
+                          const QueryOptions& options = {},
+                          const DescribeQuery& describe = describe_file);
 
 /// The models of a collection that look most like one of its own, which is among them. Needs no
 /// file: vector and balls are the stored ones.

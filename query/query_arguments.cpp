@@ -76,6 +76,8 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
                "List only models within this distance, and all of them unless --top is given");
   add_database_option(app, arguments.database);
   add_signature_option(app, options.signature);
+  add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of a MODEL");
+  add_size_option(app, "--model-memory", arguments.limits.memory, "Memory budget of a MODEL");
   app.add_flag("--chirality", options.has_chirality,
                "Tell left from right: show for each model whether it is of the same hand or "
                "mirrored, and add the difference to the distance");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "collection/process_pool.h"
 #include "query/answer_query.h"
 #include "query/duplicates.h"
 
@@ -19,6 +20,7 @@ struct QueryArguments {
   std::int64_t id = 0;                        ///< 0 if it is not given
   std::filesystem::path database;
   QueryOptions options;
+  ProcessLimits limits;         ///< of the process that reads a model
   bool has_duplicates = false;  ///< asked for, in place of a query
   DuplicateOptions duplicates;
   bool is_explained = false;

@@ -4,6 +4,7 @@
 
 #include "cli/text_output.h"
 #include "collection/discover.h"
+#include "collection/isolated.h"
 #include "features/core/errors.h"
 #include "query/query_output.h"
 
@@ -15,6 +16,13 @@ bool is_batch(const QueryArguments& arguments) {
   return arguments.models.size() > 1 ||
          (arguments.models.size() == 1 &&
           std::filesystem::is_directory(arguments.models.front(), error));
+}
+
+QueryAnswer answer_file(const ShapeSearch& search, const std::filesystem::path& file,
+                        const ProcessLimits& limits) {
+  return search.by_file(file, [&](const std::filesystem::path& path, const Recipe& recipe) {
+    return describe_isolated(path, recipe, limits);
+  });
 }
 
 QueryRun run_batch(const ShapeStore& store, const QueryArguments& arguments) {
@@ -29,7 +37,7 @@ QueryRun run_batch(const ShapeStore& store, const QueryArguments& arguments) {
   const ShapeSearch search(store, arguments.options, found.files.size());
   for (const FoundFile& file : found.files) {
     try {
-      run.answers.push_back(search.by_file(file.path));
+      run.answers.push_back(answer_file(search, file.path, arguments.limits));
     } catch (const InvalidInput& error) {
       run.failures.emplace_back(error.what());
     } catch (const IoError& error) {
@@ -58,8 +66,9 @@ QueryRun run_queries(const ShapeStore& store, const QueryArguments& arguments) {
   if (is_batch(arguments)) return run_batch(store, arguments);
   const ShapeSearch search(store, arguments.options);
   QueryRun run;
-  run.answers.push_back(arguments.models.empty() ? search.by_id(arguments.id)
-                                                 : search.by_file(arguments.models.front()));
+  run.answers.push_back(arguments.models.empty()
+                            ? search.by_id(arguments.id)
+                            : answer_file(search, arguments.models.front(), arguments.limits));
   return run;
 }
 

@@ -48,6 +48,7 @@ void for_each_parameter(RecipeType& recipe, Visitor&& visit) {
   visit("contact_tolerance", recipe.contact_tolerance);
   visit("walk_weight", recipe.walk_weight);
   visit("denoise", recipe.denoise);
+  visit("solidify", recipe.solidify);
   visit("scaling", recipe.scaling);
 }
 
@@ -112,6 +113,7 @@ void validate(const Recipe& recipe) {
   require(recipe.walk_weight >= 0 && recipe.walk_weight < 1e6,
           "walk weight must be from 0 to below 1000000");
   require(recipe.denoise == "auto" || recipe.denoise == "off", "denoise must be auto or off");
+  require(recipe.solidify == "auto" || recipe.solidify == "off", "solidify must be auto or off");
   require(recipe.scaling == "enclosing-ball", "scaling must be enclosing-ball");
 }
 

@@ -9,7 +9,7 @@
 namespace mdbd {
 
 /// Raised whenever the same parameters give other numbers than before.
-inline constexpr int current_algorithm_version = 4;
+inline constexpr int current_algorithm_version = 5;
 
 /// Every parameter that changes numbers. A database holds vectors of one recipe only; vectors of
 /// different recipes are never compared.
@@ -25,6 +25,9 @@ struct Recipe {
   double walk_weight = 1.0;         ///< alpha, weight of the walk part in the similarity distance
   /// What is done to noisy input: "auto" takes noise that stands out from meshes, "off" nothing.
   std::string denoise = "auto";
+  /// What is done to surfaces that enclose nothing: "auto" gives them a thickness, "off" refuses
+  /// them.
+  std::string solidify = "auto";
   std::string scaling = "enclosing-ball";  ///< radii are divided by R
 
   bool operator==(const Recipe&) const = default;

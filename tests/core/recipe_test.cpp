@@ -25,6 +25,7 @@ Recipe make_other_recipe() {
   recipe.contact_tolerance = std::numeric_limits<double>::denorm_min();
   recipe.walk_weight = 1e5 + 1e-9;
   recipe.denoise = "off";
+  recipe.solidify = "off";
   return recipe;
 }
 
@@ -55,12 +56,12 @@ TEST_CASE("a recipe comes back from its entries to the bit") {
 // Recipes are compared with what older programs stored: names and texts must not change.
 TEST_CASE("the entries of the default recipe are these") {
   const RecipeEntries expected = {
-      {"algorithm_version", "4"},    {"balls", "500"},
+      {"algorithm_version", "5"},    {"balls", "500"},
       {"radius_tolerance", "0.001"}, {"minimum_radius", "0.001"},
       {"descriptor_balls", "50"},    {"walk_steps", "50"},
       {"walk_damping", "0.9"},       {"contact_tolerance", "0.001"},
       {"walk_weight", "1"},          {"denoise", "auto"},
-      {"scaling", "enclosing-ball"},
+      {"solidify", "auto"},          {"scaling", "enclosing-ball"},
   };
   CHECK(to_entries(Recipe{}) == expected);
 }
@@ -159,6 +160,8 @@ TEST_CASE("every parameter has its range") {
   for (const double x : {-1.0, 1e6, HUGE_VAL, nan}) CHECK_FALSE(is_valid(&Recipe::walk_weight, x));
   CHECK(is_valid(&Recipe::denoise, std::string("off")));
   CHECK_FALSE(is_valid(&Recipe::denoise, std::string("always")));
+  CHECK(is_valid(&Recipe::solidify, std::string("off")));
+  CHECK_FALSE(is_valid(&Recipe::solidify, std::string("always")));
   CHECK_FALSE(is_valid(&Recipe::scaling, std::string("volume")));
 }
 

@@ -25,9 +25,18 @@ mdbd_cli_test(NAME decompose/damaged_file COMMAND mdbd-decompose ${damaged} EXIT
   REGEXP "^mdbd-decompose: error: [^\n]*damaged\\.off: [^\n]+\n$")
 mdbd_cli_test(NAME decompose/missing_file COMMAND mdbd-decompose none.off EXIT 1
   REGEXP "^mdbd-decompose: error: none\\.off: [^\n]+\n$")
-mdbd_cli_test(NAME decompose/sheet COMMAND mdbd-decompose triangle.off EXIT 1
-  SETUP "printf 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n' > triangle.off"
-  REGEXP "^mdbd-decompose: error: triangle\\.off: [^\n]+\n$")
+set(write_triangle "printf 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n' > triangle.off")
+mdbd_cli_test(NAME decompose/sheet SETUP "${write_triangle}"
+  COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> triangle.off --balls 9 -o balls.json && cat balls.json"
+  REGEXP "\"solidified\": *true" "\"solidify\": *\"auto\"")
+mdbd_cli_test(NAME decompose/sheet_refused SETUP "${write_triangle}" EXIT 1
+  COMMAND mdbd-decompose triangle.off --solidify off
+  REGEXP "^mdbd-decompose: error: triangle\\.off: the surface encloses nothing[^\n]+\n$")
+mdbd_cli_test(NAME decompose/time_budget EXIT 1
+  COMMAND mdbd-decompose ${cube} --balls 100000 --tolerance 1e-9 --model-time 200ms
+  REGEXP "cube\\.off: took longer than the time budget of 0\\.2 s .--model-time.")
+mdbd_cli_test(NAME decompose/solidify_unknown COMMAND mdbd-decompose ${cube} --solidify maybe EXIT 2
+  REGEXP "--solidify: maybe not in")
 mdbd_cli_test(NAME decompose/no_model COMMAND mdbd-decompose EXIT 2 REGEXP "MODEL is required")
 mdbd_cli_test(NAME decompose/no_balls COMMAND mdbd-decompose ${cube} --balls 0 EXIT 2
   REGEXP "balls must be from 1")

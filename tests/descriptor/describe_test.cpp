@@ -10,6 +10,7 @@
 #include "perturbation/noise.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"
+#include "tests/support/sheets.h"
 #include "tests/support/temporary_directory.h"
 
 using namespace mdbd;
@@ -23,6 +24,8 @@ std::filesystem::path write(const TemporaryDirectory& folder, const std::string&
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }
+
+nlohmann::json record(const Shape& shape) { return nlohmann::json::parse(shape.statistics); }
 
 }  // namespace
 
@@ -45,19 +48,44 @@ TEST_CASE("one shape in four formats has one descriptor") {
   CHECK(stl.descriptor.radii()[0] == Approx(off.descriptor.radii()[0]).epsilon(1e-6));
 }
 
-TEST_CASE("what encloses nothing is refused with a reason") {
-  const TemporaryDirectory folder;
-  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  CHECK_THROWS_AS(describe_file(write(folder, "a.off", to_off(mesh)), Recipe{}), InvalidInput);
-  CHECK_THROWS_WITH(describe_file(folder.path() / "a.off", Recipe{}),
-                    Catch::Contains("empty interior"));
+TEST_CASE("what encloses nothing gets a thickness, or is refused with a reason") {
+  Recipe recipe;
+  recipe.balls = 60;
+  for (const TriangleMesh& sheet : {make_square(), make_sheet_table()}) {
+    const Shape shape = make_mesh_shape(sheet, recipe);
+    CHECK(record(shape).at("solidified") == true);
+    const double thickness = record(shape).at("sheet_thickness");
+    CHECK(thickness > 0.0);
+    CHECK(shape.field->is_closed());
+    const ShapeDescription description = describe_shape(shape, recipe);
+    CHECK(description.decomposition.balls.size() == 60);
+    CHECK(description.decomposition.is_certified);
+    CHECK(description.decomposition.balls[0].radius == Approx(thickness / 2).epsilon(0.2));
+  }
+  recipe.solidify = "off";
+  CHECK_THROWS_AS(make_mesh_shape(make_square(), recipe), InvalidInput);
+  CHECK_THROWS_WITH(make_mesh_shape(make_square(), recipe),
+                    Catch::Contains("encloses nothing") && Catch::Contains("--solidify"));
 }
 
-TEST_CASE("a closed mesh with a turned face is no closed solid") {
-  TriangleMesh cube = test::make_cube();
-  CHECK(make_mesh_shape(cube, Recipe{}).field->is_closed());
-  std::swap(cube.triangles[3][0], cube.triangles[3][1]);
-  CHECK_FALSE(make_mesh_shape(cube, Recipe{}).field->is_closed());
+TEST_CASE("a solid is not solidified") {
+  const Shape shape = make_mesh_shape(make_cube(), Recipe{});
+  CHECK(record(shape).at("solidified") == false);
+  CHECK(record(shape).at("enclosing_share") == 1.0);
+  CHECK(record(shape).at("faces_turned") == 0);
+}
+
+TEST_CASE("a closed mesh with a turned face is the same solid") {
+  Recipe recipe;
+  recipe.balls = 9;
+  TriangleMesh cube = make_cube();
+  const auto expected = describe_shape(make_mesh_shape(cube, recipe), recipe).descriptor.values;
+  std::swap(cube.triangles[3][1], cube.triangles[3][2]);
+  const Shape shape = make_mesh_shape(cube, recipe);
+  CHECK(record(shape).at("orientation") == "mixed");
+  CHECK(record(shape).at("faces_turned") == 1);
+  CHECK(shape.field->is_closed());
+  CHECK(describe_shape(shape, recipe).descriptor.values == expected);
 }
 
 TEST_CASE("a noisy mesh is denoised unless that is off, and the record says so") {
@@ -67,7 +95,6 @@ TEST_CASE("a noisy mesh is denoised unless that is off, and the record says so")
   const auto largest_ball = [](const Shape& shape) {
     return decompose_shape(shape, {.balls = 1}).balls[0].radius;
   };
-  const auto record = [](const Shape& shape) { return nlohmann::json::parse(shape.statistics); };
   const Shape untouched = make_mesh_shape(clean, recipe);
   CHECK(record(untouched).at("noise") == 0.0);
   CHECK(record(untouched).at("denoise_filter") == "none");

@@ -25,6 +25,10 @@ query_test(by_file COMMAND mdbd-query ${models}/boxes/cube.off --db ${database}
          "\n +3 [^\n]*\n" "Compared with 3 models; the answer is exact\\.")
 query_test(by_copy COMMAND mdbd-query CUBE.OFF --db ${database}
   SETUP "cp '${models}/boxes/cube.off' CUBE.OFF" REGEXP " 1 +0\\.000000 +[^\n]*/boxes/cube\\.off\n")
+query_test(time_budget COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --model-time 1ms
+  EXIT 1 REGEXP "^mdbd-query: error: [^\n]*cube\\.off: took longer than the time budget of [^\n]+\n$")
+query_test(memory_budget COMMAND mdbd-query ${models}/boxes/cube.off --db ${database}
+  --model-memory 4KiB EXIT 1 REGEXP "cube\\.off: needs more than the memory budget of 4 KiB")
 query_test(top COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --top 1 --csv
   REGEXP "^rank,id,path,distance,radii_distance,walk_distance,scale\n1,[0-9]+,[^\n]*/boxes/long\\.off,0,0,0,[0-9.]+\nCompared")
 query_test(json COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --top 100 --json

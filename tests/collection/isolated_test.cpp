@@ -1,0 +1,70 @@
+#include "collection/isolated.h"
+
+#include <csignal>
+#include <new>
+#include <thread>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include "features/core/errors.h"
+#include "tests/support/mesh_writers.h"
+#include "tests/support/sample_meshes.h"
+#include "tests/support/temporary_directory.h"
+
+using namespace mdbd;
+using namespace mdbd::test;
+using Catch::Contains;
+
+TEST_CASE(
+    "a computation in a process of its own returns what it computed, or throws what it threw") {
+  CHECK(compute_isolated("a.off", {}, [] { return std::string("a\0b", 3); }) ==
+        std::string("a\0b", 3));
+  CHECK(compute_isolated("a.off", {}, [] { return std::string(); }).empty());
+  CHECK_THROWS_WITH(compute_isolated("a.off", {}, []() -> std::string { throw IoError("gone"); }),
+                    "gone");
+  CHECK_THROWS_AS(compute_isolated("a.off", {}, []() -> std::string { throw IoError("gone"); }),
+                  IoError);
+  CHECK_THROWS_AS(compute_isolated("a.off", {}, []() -> std::string { throw InvalidInput("bad"); }),
+                  InvalidInput);
+}
+
+TEST_CASE("a crash, a hang and a memory bomb become exceptions with the reason") {
+  CHECK_THROWS_WITH(compute_isolated("a.off", {},
+                                     []() -> std::string {
+                                       std::raise(SIGKILL);
+                                       return {};
+                                     }),
+                    Contains("a.off: the system killed"));
+  CHECK_THROWS_WITH(compute_isolated("a.off", {}, []() -> std::string { _exit(7); }),
+                    Contains("a.off: the process reading it ended with code 7"));
+  const ProcessLimits brief{.time = std::chrono::milliseconds(100)};
+  CHECK_THROWS_WITH(compute_isolated("a.off", brief,
+                                     []() -> std::string {
+                                       std::this_thread::sleep_for(std::chrono::seconds(60));
+                                       return {};
+                                     }),
+                    Contains("took longer than the time budget"));
+  CHECK_THROWS_WITH(compute_isolated("a.off", {}, []() -> std::string { throw std::bad_alloc(); }),
+                    Contains("needs more than the memory budget"));
+}
+
+TEST_CASE("a description from another process is the same to the bit") {
+  const TemporaryDirectory folder;
+  Recipe recipe;
+  recipe.balls = 60;
+  const auto path = folder.write("a.off", to_off(make_torus(1.0, 0.4, 20, 10)));
+  const ShapeDescription here = describe_file(path, recipe);
+  const ShapeDescription there = describe_isolated(path, recipe, {});
+  CHECK(there.format == here.format);
+  CHECK(there.statistics == here.statistics);
+  CHECK(there.descriptor.values == here.descriptor.values);
+  CHECK(there.descriptor.radius_count == here.descriptor.radius_count);
+  CHECK(there.fused == here.fused);
+  CHECK(there.decomposition.scale == here.decomposition.scale);
+  REQUIRE(there.decomposition.balls.size() == here.decomposition.balls.size());
+  CHECK(there.decomposition.balls.back().center == here.decomposition.balls.back().center);
+
+  CHECK_THROWS_AS(describe_isolated(folder / "none.off", recipe, {}), IoError);
+  CHECK_THROWS_AS(describe_isolated(folder.write("b.off", "OFF"), recipe, {}), InvalidInput);
+}

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/mesh_writers.h"
+#include "tests/support/sample_meshes.h"
+
+/// Files as accidents and attackers leave them. Everything depends on the seed alone.
+namespace mdbd::test {
+
+/// A small torus as a file of each kind that a reader knows, by reader: ending and content.
+inline std::vector<std::pair<std::string, std::vector<std::string>>> sound_files() {
+  const TriangleMesh mesh = make_torus(2.0, 0.5, 5, 3);
+  return {{".off", {to_off(mesh)}},
+          {".obj", {to_obj(mesh)}},
+          {".ply",
+           {to_ply_text(mesh), to_ply_binary<float>(mesh, std::endian::little),
+            to_ply_binary<double>(mesh, std::endian::big)}},
+          {".stl", {to_stl_text(mesh), to_stl_binary(mesh)}}};
+}
+
+/// Changes the content of files.
+class Mutator {
+ public:
+  explicit Mutator(std::uint32_t seed) : random_(seed) {}
+
+  /// One to three changes, each of a random kind.
+  std::string mutate(std::string content) {
+    for (std::size_t i = 0, changes = 1 + below(3); i < changes; ++i) {
+      switch (below(4)) {
+        case 0:
+          flip(content);
+          break;
+        case 1:
+          content.resize(below(content.size() + 1));
+          break;
+        case 2:
+          repeat(content);
+          break;
+        default:
+          inflate(content);
+      }
+    }
+    return content;
+  }
+
+ private:
+  static constexpr std::size_t header_size = 200;
+
+  std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+
+  // Half of the places are where headers are.
+  std::size_t place(const std::string& content) {
+    return below(below(2) == 0 ? content.size() : std::min(content.size(), header_size));
+  }
+
+  void flip(std::string& content) {
+    for (std::size_t i = 0, bytes = 1 + below(8); i < bytes && !content.empty(); ++i) {
+      content[place(content)] = static_cast<char>(random_());
+    }
+  }
+
+  void repeat(std::string& content) {
+    const std::size_t start = place(content);
+    const std::string part = content.substr(start, 1 + below(content.size()));
+    for (std::size_t i = 0, times = 1 + below(20); i < times; ++i) content.insert(start, part);
+  }
+
+  // A number in a text becomes a huge one, or four bytes become a huge count.
+  void inflate(std::string& content) {
+    const std::size_t at = content.find_first_of("0123456789", place(content));
+    if (at != content.npos && below(2) == 0) {
+      const std::size_t end = std::min(content.find_first_not_of("0123456789", at), content.size());
+      constexpr const char* huge[] = {"4294967295", "2147483648", "99999999", "-1", "1e308"};
+      content.replace(at, end - at, huge[below(std::size(huge))]);
+    } else if (content.size() >= 4) {
+      const std::size_t start = std::min(place(content), content.size() - 4);
+      content.replace(start, 4, below(2) == 0 ? "\xff\xff\xff\x7f" : "\xff\xff\xff\xff");
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace mdbd::test
