@@ -9,6 +9,14 @@
 #define MDBD_VECTORISED
 #endif
 
+/// Marks what a vectorised function calls, lambdas too, if it is to be compiled for each
+/// instruction set: it becomes part of its caller.
+#if defined(__has_attribute)
+#define MDBD_PART_OF_CALLER __attribute__((always_inline))
+#else
+#define MDBD_PART_OF_CALLER
+#endif
+
 /// Before a loop over lanes: keeps the compiler from unrolling it before it can be vectorised.
 #if defined(__GNUC__) && !defined(__clang__)
 #define MDBD_LANES _Pragma("GCC unroll 1")

@@ -19,9 +19,9 @@ std::size_t padded(std::size_t count) { return (count + lanes - 1) / lanes * lan
 // What witnesses allow at the nodes of a grid: `side` to a side, `step` apart, x fastest. Lanes
 // without a witness repeat the last one.
 template <int side>
-[[gnu::always_inline]] inline void measure_grid(const WitnessLanes& witnesses,
-                                                const Eigen::Vector3d& lowest, double step,
-                                                Values* values) {
+MDBD_PART_OF_CALLER inline void measure_grid(const WitnessLanes& witnesses,
+                                             const Eigen::Vector3d& lowest, double step,
+                                             Values* values) {
   WitnessLanes w = witnesses;
   const std::size_t end = padded(w.count);
   while (w.count < end) {
@@ -58,8 +58,8 @@ template <int side>
 // Affine bounds from the values at the corners of a cube. What witnesses allow is convex, and so is
 // its difference from an affine function: both are largest at a corner. The slope is the one that
 // fits the corners best.
-[[gnu::always_inline]] inline CubeBounds fit(const Values* const (&corners)[8], std::size_t count,
-                                             const CubePreference& rank, double half_size) {
+MDBD_PART_OF_CALLER inline CubeBounds fit(const Values* const (&corners)[8], std::size_t count,
+                                          const CubePreference& rank, double half_size) {
   const double per_corner = 0.125 / half_size;
   const std::size_t end = padded(count);
   CubeBounds bounds;

@@ -81,8 +81,8 @@ struct FramePoints {
 }  // namespace
 
 template <int side>
-[[gnu::always_inline]] inline void FlatPiece::measure_grid(const Eigen::Vector3d& lowest,
-                                                           double step, double* distances) const {
+MDBD_PART_OF_CALLER inline void FlatPiece::measure_grid(const Eigen::Vector3d& lowest, double step,
+                                                        double* distances) const {
   constexpr int nodes = side * side * side;
   constexpr int end = (nodes + lanes - 1) / lanes * lanes;
   const Eigen::Vector3d offset = lowest - origin_;

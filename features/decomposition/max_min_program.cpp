@@ -7,9 +7,6 @@
 
 #include "features/core/vectorised.h"
 
-// The methods become part of maximise_minimum(), which is compiled for each instruction set.
-#define MDBD_PART_OF_CALLER [[gnu::always_inline]] inline
-
 namespace mdbd {
 namespace {
 
@@ -23,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Calls visit(r) for all rows, in groups of lanes.
 template <typename Visitor>
-MDBD_PART_OF_CALLER void for_each_row(int padded_count, Visitor&& visit) {
+MDBD_PART_OF_CALLER inline void for_each_row(int padded_count, Visitor&& visit) {
   for (int begin = 0; begin < padded_count; begin += lanes) {
     MDBD_LANES
     for (int i = 0; i < lanes; ++i) visit(begin + i);

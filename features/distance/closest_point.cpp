@@ -10,33 +10,7 @@
 namespace mdbd {
 namespace {
 
-/// A point in tree coordinates.
-struct LocalPoint {
-  float x;
-  float y;
-  float z;
-};
-
-struct StackEntry {
-  float squared_distance;
-  std::uint32_t inner;  // the node, or 0 for a leaf
-  std::uint32_t block;
-  std::uint32_t first;
-  std::uint32_t count;
-};
-
-using Lanes = float[TreeNode::width];
 static_assert(TreeNode::width == TriangleBlock::width);
-
-/// Squared distances to the boxes of a node's children.
-inline void box_distances(const TreeNode& node, const LocalPoint& p, Lanes& squared) {
-  for (int c = 0; c < TreeNode::width; ++c) {
-    const float dx = std::max(std::max(node.lower[0][c] - p.x, p.x - node.upper[0][c]), 0.0F);
-    const float dy = std::max(std::max(node.lower[1][c] - p.y, p.y - node.upper[1][c]), 0.0F);
-    const float dz = std::max(std::max(node.lower[2][c] - p.z, p.z - node.upper[2][c]), 0.0F);
-    squared[c] = dx * dx + dy * dy + dz * dz;
-  }
-}
 
 /// The squared distance of (x, y) from the side that runs by (side_x, side_y) from the origin.
 inline float side_distance(float x, float y, float side_x, float side_y) {
@@ -50,7 +24,7 @@ inline float side_distance(float x, float y, float side_x, float side_y) {
 }
 
 /// Squared distances to the triangles of a block: from their planes, and within the planes.
-inline void triangle_distances(const TriangleBlock& block, const LocalPoint& p, Lanes& squared) {
+inline void triangle_distances(const TriangleBlock& block, const TreePoint& p, Lanes& squared) {
   for (int i = 0; i < TriangleBlock::width; ++i) {
     const auto [x, y, z] = block.in_frame(i, p.x - block.corner[0][i], p.y - block.corner[1][i],
                                           p.z - block.corner[2][i]);
@@ -130,45 +104,23 @@ MDBD_VECTORISED
 ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d& point,
                                 double bound) {
   const Eigen::Vector3d local = (point - tree.origin()) * tree.inverse_extent();
-  const LocalPoint p{static_cast<float>(local.x()), static_cast<float>(local.y()),
-                     static_cast<float>(local.z())};
+  const TreePoint p{static_cast<float>(local.x()), static_cast<float>(local.y()),
+                    static_cast<float>(local.z())};
   const double margin = 1e-6 * (1.0 + local.lpNorm<Eigen::Infinity>());
   Candidates candidates(bound * tree.inverse_extent(), margin);
-  const TreeNode* const nodes = tree.nodes().data();
   const TriangleBlock* const blocks = tree.blocks().data();
   ClosestPoint best{point, std::numeric_limits<double>::infinity(), 0};
-  std::array<StackEntry, TriangleTree::max_stack_size> stack;
-  int size = 0;
-  const auto push_children = [&](const TreeNode& node) {
-    alignas(32) Lanes squared;
-    box_distances(node, p, squared);
-    const float reach = candidates.reach();
-    const int begin = size;
-    for (int c = 0; c < TreeNode::width; ++c) {
-      if (squared[c] > reach || node.count[c] == 0) continue;
-      int at = size++;
-      for (; at > begin && stack[at - 1].squared_distance < squared[c]; --at) {
-        stack[at] = stack[at - 1];
-      }
-      stack[at] = {squared[c], node.inner[c], node.block[c], node.first[c], node.count[c]};
-    }
-  };
-  push_children(nodes[0]);
-  while (size > 0) {
-    const StackEntry entry = stack[--size];
-    if (entry.squared_distance > candidates.reach()) continue;
-    if (entry.inner != 0) {
-      push_children(nodes[entry.inner]);
-      continue;
-    }
-    alignas(32) Lanes squared;
-    triangle_distances(blocks[entry.block], p, squared);
-    if (smallest(squared) > candidates.reach()) continue;
-    for (std::uint32_t i = 0; i < entry.count; ++i) {
-      if (candidates.is_full()) candidates.resolve(tree, point, best);
-      candidates.offer(entry.first + i, squared[i]);
-    }
-  }
+  visit_leaves_within<TriangleTree::max_stack_size>(
+      tree.nodes(), p, [&] { return candidates.reach(); },
+      [&](const TreeLeaf& leaf) MDBD_PART_OF_CALLER {
+        alignas(32) Lanes squared;
+        triangle_distances(blocks[leaf.block], p, squared);
+        if (smallest(squared) > candidates.reach()) return;
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+          if (candidates.is_full()) candidates.resolve(tree, point, best);
+          candidates.offer(leaf.first + i, squared[i]);
+        }
+      });
   candidates.resolve(tree, point, best);
   return best;
 }

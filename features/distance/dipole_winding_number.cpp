@@ -19,7 +19,7 @@ DipoleWindingNumber::DipoleWindingNumber(const PointTree& tree,
                                          std::span<const Eigen::Vector3d> area_vectors)
     : tree_(tree), blocks_(tree.blocks().size()) {
   nodes_.reserve(tree.nodes().size());
-  for (const PointTreeNode& node : tree.nodes()) {
+  for (const TreeNode& node : tree.nodes()) {
     nodes_.push_back(summarise(node, area_vectors));
     for (int c = 0; c < width; ++c) {
       if (node.count[c] == 0 || node.inner[c] != 0) continue;
@@ -29,7 +29,7 @@ DipoleWindingNumber::DipoleWindingNumber(const PointTree& tree,
 }
 
 DipoleWindingNumber::Dipoles DipoleWindingNumber::summarise(
-    const PointTreeNode& node, std::span<const Eigen::Vector3d> area_vectors) const {
+    const TreeNode& node, std::span<const Eigen::Vector3d> area_vectors) const {
   const double scale = tree_.inverse_extent();
   Dipoles dipoles{};
   for (int c = 0; c < width; ++c) {
@@ -107,7 +107,7 @@ double DipoleWindingNumber::operator()(const Eigen::Vector3d& point) const {
   double winding = 0.0;
   while (size > 0) {
     const std::uint32_t number = stack[--size];
-    const PointTreeNode& node = tree_.nodes()[number];
+    const TreeNode& node = tree_.nodes()[number];
     const Dipoles& dipoles = nodes_[number];
     evaluate(dipoles, p, terms, squared);
     std::array<std::uint32_t, width> leaves;

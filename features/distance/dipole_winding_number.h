@@ -25,7 +25,7 @@ class DipoleWindingNumber {
   double operator()(const Eigen::Vector3d& point) const;
 
  private:
-  static constexpr int width = PointTreeNode::width;
+  static constexpr int width = TreeNode::width;
 
   /// Eight dipoles in tree coordinates, [axis][lane]: the children of a node, or points of a leaf.
   struct Dipoles {
@@ -35,7 +35,7 @@ class DipoleWindingNumber {
     float reach[width];      ///< squared distance beyond which a child counts as one dipole
   };
 
-  Dipoles summarise(const PointTreeNode& node, std::span<const Eigen::Vector3d> area_vectors) const;
+  Dipoles summarise(const TreeNode& node, std::span<const Eigen::Vector3d> area_vectors) const;
   Dipoles gather(std::uint32_t first, std::uint32_t count,
                  std::span<const Eigen::Vector3d> area_vectors) const;
   static void evaluate(const Dipoles& dipoles, const float (&p)[3], float (&terms)[width],

@@ -1,7 +1,6 @@
 #include "features/distance/point_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -13,32 +12,13 @@
 namespace mdbd {
 namespace {
 
-using Lanes = float[PointTreeNode::width];
-static_assert(PointTreeNode::width == PointBlock::width);
+static_assert(TreeNode::width == PointBlock::width);
 
-struct StackEntry {
-  float squared_distance;
-  std::uint32_t inner;  // the node, or 0 for a leaf
-  std::uint32_t block;
-  std::uint32_t first;
-  std::uint32_t count;
-};
-
-/// Squared distances to the boxes of a node's children.
-inline void box_distances(const PointTreeNode& node, const float (&p)[3], Lanes& squared) {
-  for (int c = 0; c < PointTreeNode::width; ++c) {
-    const float dx = std::max(std::max(node.lower[0][c] - p[0], p[0] - node.upper[0][c]), 0.0F);
-    const float dy = std::max(std::max(node.lower[1][c] - p[1], p[1] - node.upper[1][c]), 0.0F);
-    const float dz = std::max(std::max(node.lower[2][c] - p[2], p[2] - node.upper[2][c]), 0.0F);
-    squared[c] = dx * dx + dy * dy + dz * dz;
-  }
-}
-
-inline void point_distances(const PointBlock& block, const float (&p)[3], Lanes& squared) {
+inline void point_distances(const PointBlock& block, const TreePoint& p, Lanes& squared) {
   for (int i = 0; i < PointBlock::width; ++i) {
-    const float dx = block.coordinates[0][i] - p[0];
-    const float dy = block.coordinates[1][i] - p[1];
-    const float dz = block.coordinates[2][i] - p[2];
+    const float dx = block.coordinates[0][i] - p.x;
+    const float dy = block.coordinates[1][i] - p.y;
+    const float dz = block.coordinates[2][i] - p.z;
     squared[i] = dx * dx + dy * dy + dz * dz;
   }
 }
@@ -96,8 +76,8 @@ std::uint32_t PointTree::build(Range range) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   const std::vector<Range> children = divide(range);
-  PointTreeNode node;
-  for (int child = 0; child < PointTreeNode::width; ++child) {
+  TreeNode node;
+  for (int child = 0; child < TreeNode::width; ++child) {
     const bool exists = static_cast<std::size_t>(child) < children.size();
     set_child(node, child, exists ? children[child] : Range{0, 0});
     if (!exists) continue;
@@ -114,7 +94,7 @@ std::uint32_t PointTree::build(Range range) {
 // Halves the largest part at its longest side until there are eight, or all fit into leaves.
 std::vector<PointTree::Range> PointTree::divide(Range range) {
   std::vector<Range> parts{range};
-  while (parts.size() < PointTreeNode::width) {
+  while (parts.size() < TreeNode::width) {
     const auto largest = std::ranges::max_element(parts, {}, &Range::size);
     if (largest->size() <= PointBlock::width) break;
     Eigen::AlignedBox3d box;
@@ -138,7 +118,7 @@ Eigen::Vector3f PointTree::to_tree(const Eigen::Vector3d& point) const {
   return ((point - origin_) * inverse_extent_).cast<float>();
 }
 
-void PointTree::set_child(PointTreeNode& node, int child, Range range) const {
+void PointTree::set_child(TreeNode& node, int child, Range range) const {
   Eigen::AlignedBox3f box;
   for (std::uint32_t i = range.begin; i < range.end; ++i) box.extend(to_tree(points_[sources_[i]]));
   constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -166,38 +146,18 @@ std::uint32_t PointTree::add_block(Range range) {
 MDBD_VECTORISED
 std::uint32_t PointTree::find_closest(const Eigen::Vector3d& point, double bound) const {
   const Eigen::Vector3d local = (point - origin_) * inverse_extent_;
-  const float p[3] = {static_cast<float>(local.x()), static_cast<float>(local.y()),
-                      static_cast<float>(local.z())};
+  const TreePoint p{static_cast<float>(local.x()), static_cast<float>(local.y()),
+                    static_cast<float>(local.z())};
   Closest closest(*this, point, bound, 1e-6 * (1.0 + local.lpNorm<Eigen::Infinity>()));
-  std::array<StackEntry, max_stack_size> stack;
-  int size = 0;
-  const auto push_children = [&](const PointTreeNode& node) {
-    alignas(32) Lanes squared;
-    box_distances(node, p, squared);
-    const int begin = size;
-    for (int c = 0; c < PointTreeNode::width; ++c) {
-      if (squared[c] > closest.reach() || node.count[c] == 0) continue;
-      int at = size++;
-      for (; at > begin && stack[at - 1].squared_distance < squared[c]; --at) {
-        stack[at] = stack[at - 1];
-      }
-      stack[at] = {squared[c], node.inner[c], node.block[c], node.first[c], node.count[c]};
-    }
-  };
-  push_children(nodes_[0]);
-  while (size > 0) {
-    const StackEntry entry = stack[--size];
-    if (entry.squared_distance > closest.reach()) continue;
-    if (entry.inner != 0) {
-      push_children(nodes_[entry.inner]);
-      continue;
-    }
-    alignas(32) Lanes squared;
-    point_distances(blocks_[entry.block], p, squared);
-    for (std::uint32_t i = 0; i < entry.count; ++i) {
-      if (squared[i] <= closest.reach()) closest.offer(entry.first + i);
-    }
-  }
+  visit_leaves_within<max_stack_size>(
+      nodes_, p, [&] { return closest.reach(); },
+      [&](const TreeLeaf& leaf) MDBD_PART_OF_CALLER {
+        alignas(32) Lanes squared;
+        point_distances(blocks_[leaf.block], p, squared);
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+          if (squared[i] <= closest.reach()) closest.offer(leaf.first + i);
+        }
+      });
   return closest.best();
 }
 

@@ -7,23 +7,9 @@
 
 #include <Eigen/Core>
 
+#include "features/distance/tree_node.h"
+
 namespace mdbd {
-
-/// The children of a node of a point tree, laid out for vector instructions, [axis][child].
-///
-/// Bounds are in tree coordinates: (object - origin) * inverse_extent, so that they are about 1 in
-/// size whatever the units of the object. A child that does not exist has an empty box.
-struct PointTreeNode {
-  static constexpr int width = 8;
-
-  float lower[3][width];
-  float upper[3][width];
-  /// The points below child c are first[c] … first[c] + count[c] - 1.
-  std::uint32_t first[width];
-  std::uint32_t count[width];
-  std::uint32_t inner[width];  ///< the node of child c, or 0 if it is a leaf
-  std::uint32_t block[width];  ///< the block with the points of child c, if it is a leaf
-};
 
 /// The points of a leaf in tree coordinates, [axis][point]. Where a leaf has fewer points, its last
 /// is repeated.
@@ -42,7 +28,7 @@ class PointTree {
   /// @pre at least one point, fewer than 2^32
   explicit PointTree(std::span<const Eigen::Vector3d> points);
 
-  const std::vector<PointTreeNode>& nodes() const { return nodes_; }  ///< nodes()[0] is the root
+  const std::vector<TreeNode>& nodes() const { return nodes_; }  ///< nodes()[0] is the root
   const std::vector<PointBlock>& blocks() const { return blocks_; }
   const std::vector<Eigen::Vector3d>& points() const { return points_; }  ///< in leaf order
   /// The index in the constructor's points of points()[i].
@@ -65,11 +51,11 @@ class PointTree {
 
   std::uint32_t build(Range range);
   std::vector<Range> divide(Range range);
-  void set_child(PointTreeNode& node, int child, Range range) const;
+  void set_child(TreeNode& node, int child, Range range) const;
   std::uint32_t add_block(Range range);
   Eigen::Vector3f to_tree(const Eigen::Vector3d& point) const;
 
-  std::vector<PointTreeNode> nodes_;
+  std::vector<TreeNode> nodes_;
   std::vector<PointBlock> blocks_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::uint32_t> sources_;

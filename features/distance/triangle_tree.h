@@ -5,26 +5,10 @@
 
 #include "features/core/box.h"
 #include "features/core/triangle.h"
+#include "features/distance/tree_node.h"
 #include "features/shape_io/triangle_mesh.h"
 
 namespace mdbd {
-
-/// The children of a tree node, laid out for vector instructions.
-///
-/// Bounds are in tree coordinates: (object - origin) * inverse_extent, so that they are about 1 in
-/// size whatever the units of the object. lower[axis][child] and upper[axis][child] enclose the
-/// child's triangles; a child that does not exist has an empty box (lower = +inf, upper = -inf).
-struct TreeNode {
-  static constexpr int width = 8;
-
-  float lower[3][width];
-  float upper[3][width];
-  /// The triangles below child c are first[c] … first[c] + count[c] - 1.
-  std::uint32_t first[width];
-  std::uint32_t count[width];
-  std::uint32_t inner[width];  ///< the node of child c, or 0 if it is a leaf
-  std::uint32_t block[width];  ///< the block with the triangles of child c, if it is a leaf
-};
 
 /// The triangles of a leaf, laid out for vector instructions, [axis][triangle]: the corner where
 /// the longest side begins, the unit vector along that side and the one across it in the triangle's
@@ -46,7 +30,7 @@ struct TriangleBlock {
   };
 
   /// A vector, in tree coordinates, in the frame of triangle i.
-  [[gnu::always_inline]] FramePoint in_frame(int i, float px, float py, float pz) const {
+  MDBD_PART_OF_CALLER FramePoint in_frame(int i, float px, float py, float pz) const {
     const float ux = along[0][i];
     const float uy = along[1][i];
     const float uz = along[2][i];

@@ -54,8 +54,6 @@ inline float approximate_atan2(float y, float x) {
   return y < 0.0F ? -angle : angle;
 }
 
-using Lanes = float[TreeNode::width];
-
 // What the dipoles of a node's children add to the winding number, and their squared distances.
 inline void dipole_terms(const float (&center)[3][TreeNode::width],
                          const float (&normal)[3][TreeNode::width], const float (&p)[3],
