@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
-#include <span>
 #include <utility>
 
 #include "features/core/errors.h"
+#include "features/decomposition/block_pool.h"
+#include "features/decomposition/candidates.h"
 #include "features/decomposition/cell.h"
 #include "features/decomposition/cell_queue.h"
 #include "features/decomposition/local_maximum.h"
@@ -16,16 +16,6 @@ namespace {
 
 // A ball is polished until less than this is to be gained, relative to R.
 constexpr double polish_precision = 4e-16;
-// Ranks that differ by less, relative to them, are equal.
-constexpr double rank_tie = 1e-10;
-// Two climbs that end so close in rank (relative to it) and place (relative to R) found the same.
-constexpr double same_rank = 1e-7;
-constexpr double same_place = 1e-7;
-// A ball of equal rank is the same only within this distance, relative to its radius: twins on both
-// sides of a plane of symmetry overlap, too.
-constexpr double twin_distance = 1e-2;
-// Distances from the centroid that differ by less, relative to R, are equal.
-constexpr double same_distance = 1e-6;
 // Where the rank is lower than this, relative to the best, no candidate of equal rank is close.
 constexpr double near_tie = 0.9999;
 // A ball whose centre is farther from that of the enclosing ball, relative to R, is eccentric.
@@ -33,69 +23,10 @@ constexpr double least_eccentricity = 1e-2;
 // How much work goes into telling near-equal maxima apart: for one ball, and for all.
 constexpr std::uint64_t most_choice_work = 25'000;
 constexpr std::uint64_t all_choice_work = 250'000;
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t overlapped = std::numeric_limits<std::size_t>::max();
-
-// Candidates by their rank, the highest first; ties in order of discovery.
-struct Entry {
-  double rank;
-  std::uint32_t candidate;
-  bool operator<(const Entry& other) const {
-    return rank != other.rank ? rank > other.rank : candidate < other.candidate;
-  }
-};
-
 struct Node {
   Cell cell;
-  std::uint32_t candidate = none;  // found from this cell or an ancestor
-  bool has_climbed = false;        // from the centre
-};
-
-struct Candidate {
-  LocalMaximum maximum;
-  std::size_t balls_seen;             // it is known to be clear of so many balls
-  std::vector<std::uint32_t> parked;  // cells in which nothing ranks higher
-};
-
-// Nodes by number, in blocks that are never moved.
-class NodePool {
- public:
-  Node& operator[](std::uint32_t index) { return blocks_[index / block_size][index % block_size]; }
-
-  std::uint32_t add(const Node& node) {
-    if (!free_.empty()) {
-      const std::uint32_t index = free_.back();
-      free_.pop_back();
-      (*this)[index] = node;
-      return index;
-    }
-    if (blocks_.empty() || blocks_.back().size() == block_size) {
-      blocks_.emplace_back().reserve(block_size);
-    }
-    blocks_.back().push_back(node);
-    return static_cast<std::uint32_t>((blocks_.size() - 1) * block_size + blocks_.back().size() -
-                                      1);
-  }
-
-  void remove(std::uint32_t index) { free_.push_back(index); }
-
-  /// How many are in use.
-  std::size_t size() const {
-    if (blocks_.empty()) return 0;
-    return (blocks_.size() - 1) * block_size + blocks_.back().size() - free_.size();
-  }
-
-  void prefetch(std::uint32_t index) {
-    const auto* bytes = reinterpret_cast<const char*>(&(*this)[index]);
-    for (std::size_t offset = 0; offset < sizeof(Node); offset += 64)
-      __builtin_prefetch(bytes + offset);
-  }
-
- private:
-  static constexpr std::uint32_t block_size = 1024;
-
-  std::vector<std::vector<Node>> blocks_;
-  std::vector<std::uint32_t> free_;
+  std::uint32_t candidate = Candidates::none;  // found from this cell or an ancestor
+  bool has_climbed = false;                    // from the centre
 };
 
 // How much the place of a ball counts (Preference): enough to tell balls apart whose radii differ
@@ -110,7 +41,10 @@ double preference_weight(const DecompositionOptions& options) {
 class Search {
  public:
   Search(RemainingSpace& space, const Ball& enclosing, const DecompositionOptions& options)
-      : options_(options), space_(space), scale_(enclosing.radius) {
+      : options_(options),
+        space_(space),
+        scale_(enclosing.radius),
+        candidates_(space.balls(), scale_) {
     const double weight = preference_weight(options);
     rank_tolerance_ = (options.radius_tolerance - weight) / (1.0 + weight);
     keep(add({Cell(enclosing.center, scale_, scale_ * (1.0 + weight))}));
@@ -119,9 +53,10 @@ class Search {
   // Places the next ball. @returns false if there is none
   bool place_next(BallDecomposition& result) {
     const double bound = refine_until_certain();
-    const std::uint32_t chosen = choose(result.balls);
-    if (chosen == none) return false;
-    const Ball ball = candidates_[chosen].maximum.ball;
+    drop_overlapped();
+    const std::uint32_t chosen = candidates_.choose(space_.centroid());
+    if (chosen == Candidates::none) return false;
+    const Ball ball = candidates_[chosen].ball;
     result.balls.push_back(ball);
     result.upper_bounds.push_back(std::max(bound, ball.radius));
     space_.place(ball, result.upper_bounds.back());
@@ -226,7 +161,7 @@ class Search {
   }
 
   // A cell with a lower bound does not matter for the next ball.
-  double enough() { return best_rank() * (1.0 - rank_tie); }
+  double enough() { return Candidates::equal_to(best_rank()); }
 
   double rank_at_center(const Cell& cell) const {
     return cell.value() * space_.preference().factor(cell.center());
@@ -242,8 +177,9 @@ class Search {
 
   // Finds the candidate of a promising cell.
   void explore(std::uint32_t index) {
-    nodes_[index].candidate = find_resolving_candidate(nodes_[index].cell);
-    if (nodes_[index].candidate == none) climb(index, nodes_[index].cell.center());
+    drop_overlapped();
+    nodes_[index].candidate = candidates_.find_resolving(nodes_[index].cell);
+    if (nodes_[index].candidate == Candidates::none) climb(index, nodes_[index].cell.center());
   }
 
   // Climbs to a candidate, perhaps one that was found before.
@@ -252,40 +188,7 @@ class Search {
     const LocalMaximum maximum =
         find_local_maximum(space_, start, node.cell.half_size(), polish_precision * scale_);
     if (maximum.ball.radius <= minimum_radius()) return;
-    node.candidate = find_candidate(maximum);
-    if (node.candidate != none) return;
-    node.candidate = static_cast<std::uint32_t>(candidates_.size());
-    candidates_.push_back({maximum, 0, {}});
-    ranking_.insert({maximum.rank, node.candidate});
-  }
-
-  // A candidate of the highest rank that is as good as anything in a cell.
-  std::uint32_t find_resolving_candidate(const Cell& cell) {
-    const double least = best_rank() * (1.0 - rank_tie);
-    for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
-      if (resolves(candidates_[it->candidate].maximum, cell) && is_clear(it->candidate))
-        return it->candidate;
-    }
-    return none;
-  }
-
-  // Whether nothing in a cell ranks higher than a candidate, and what ranks equally is the same.
-  static bool resolves(const LocalMaximum& maximum, const Cell& cell) {
-    const double reach = cell.reach(maximum.ball.center);
-    return reach <= maximum.basin_radius || (cell.bound() <= maximum.rank * (1.0 + rank_tie) &&
-                                             reach < twin_distance * maximum.ball.radius);
-  }
-
-  // The same local maximum, if it is known.
-  std::uint32_t find_candidate(const LocalMaximum& maximum) {
-    const auto begin = ranking_.lower_bound({maximum.rank * (1.0 + same_rank), none});
-    for (auto it = begin; it != ranking_.end() && it->rank >= maximum.rank * (1.0 - same_rank);
-         ++it) {
-      const Ball& known = candidates_[it->candidate].maximum.ball;
-      if ((known.center - maximum.ball.center).norm() > same_place * scale_) continue;
-      if (is_clear(it->candidate)) return it->candidate;
-    }
-    return none;
+    node.candidate = candidates_.add(maximum);
   }
 
   void divide(std::uint32_t index) {
@@ -318,7 +221,7 @@ class Search {
     if (node.cell.bound() <= minimum_radius()) {
       nodes_.remove(index);
     } else if (is_resolved(node)) {
-      candidates_[node.candidate].parked.push_back(index);
+      candidates_.park(node.candidate, index);
     } else {
       return false;
     }
@@ -326,73 +229,30 @@ class Search {
   }
 
   bool is_resolved(const Node& node) {
-    if (node.candidate == none || !is_clear(node.candidate)) return false;
-    return resolves(candidates_[node.candidate].maximum, node.cell);
+    return node.candidate != Candidates::none && candidates_.resolves(node.candidate, node.cell);
   }
 
-  // Whether no ball placed since overlaps a candidate.
-  bool is_clear(std::uint32_t index) {
-    Candidate& candidate = candidates_[index];
-    if (candidate.balls_seen == overlapped) return false;
-    if (candidate.balls_seen == space_.balls().size()) return true;
-    const bool is_clear = space_.balls().is_clear(candidate.maximum.ball, candidate.balls_seen);
-    candidate.balls_seen = is_clear ? space_.balls().size() : overlapped;
-    return is_clear;
-  }
-
-  // Forgets the candidates at the top that are overlapped; what was parked with them is open again.
   void drop_overlapped() {
-    while (!ranking_.empty() && !is_clear(ranking_.begin()->candidate)) {
-      const std::uint32_t index = ranking_.begin()->candidate;
-      ranking_.erase(ranking_.begin());
-      for (const std::uint32_t cell : std::exchange(candidates_[index].parked, {})) keep(cell);
-    }
+    candidates_.drop_overlapped([&](std::uint32_t cell) { keep(cell); });
   }
 
   // What a new candidate must exceed.
   double best_rank() {
     drop_overlapped();
-    return ranking_.empty() ? minimum_radius() : ranking_.begin()->rank;
-  }
-
-  // The best candidate. Among equals the one farthest from the centroid, which tells the two sides
-  // of a shape apart that is nearly symmetric; then the one nearest to the last ball. `none` if
-  // there is none.
-  std::uint32_t choose(std::span<const Ball> placed) {
-    const double least = best_rank() * (1.0 - rank_tie);
-    const Eigen::Vector3d centroid = space_.centroid();
-    std::uint32_t chosen = none;
-    double farthest = 0.0;
-    double nearest = 0.0;
-    for (auto it = ranking_.begin(); it != ranking_.end() && it->rank >= least; ++it) {
-      if (!is_clear(it->candidate)) continue;
-      const Eigen::Vector3d& center = candidates_[it->candidate].maximum.ball.center;
-      const double from_centroid = (center - centroid).norm();
-      const double from_last = placed.empty() ? 0.0 : (center - placed.back().center).norm();
-      const double lead = from_centroid - farthest;
-      const bool is_better =
-          lead > same_distance * scale_ ||
-          (lead >= -same_distance * scale_ && from_last < nearest - same_place * scale_);
-      if (chosen != none && !is_better) continue;
-      chosen = it->candidate;
-      farthest = from_centroid;
-      nearest = from_last;
-    }
-    return chosen;
+    return std::max(candidates_.best_rank(), minimum_radius());
   }
 
   DecompositionOptions options_;
   RemainingSpace& space_;
   double scale_;
   double rank_tolerance_;  // by as much may a rank be below the largest possible
-  NodePool nodes_;
+  BlockPool<Node> nodes_;
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
   CellQueue cells_;
   CellQueue given_up_;  // by the ranks at their centres
   double given_up_bound_ = 0.0;
-  std::vector<Candidate> candidates_;
-  std::set<Entry> ranking_;  // of the candidates
+  Candidates candidates_;
 };
 
 // The whole run: a search for the first balls, up to one that is not in the centre, and a search

@@ -75,7 +75,8 @@ void read_faces(TextCursor& cursor, std::uint64_t count, PlainOffWriter& writer)
     const std::int64_t size = next_integer("number of corners");
     if (size < 0 || static_cast<std::uint64_t>(size) > cursor.remaining()) {
       throw InvalidInput("face " + std::to_string(writer.faces()) + " claims " +
-                         std::to_string(size) + " corners");
+                         std::to_string(size) + " corners, but the file has only " +
+                         std::to_string(cursor.remaining()) + " bytes left");
     }
     corners.clear();
     for (std::int64_t i = 0; i < size; ++i) corners.push_back(to_index(next_integer("index")));

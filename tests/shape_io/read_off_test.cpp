@@ -87,6 +87,8 @@ TEST_CASE("OFF claims are checked against the file") {
              Catch::Contains("face 0 claims 4000000000 corners"));
   CHECK_THAT(reason_against(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
              Catch::Contains("face 0 claims -3 corners"));
+  CHECK_THAT(reason_against(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 1"),
+             Catch::Equals("face 0 claims 3 corners, but the file has only 2 bytes left"));
 }
 
 TEST_CASE("Truncated OFF files are refused") {
