@@ -4,9 +4,9 @@
 
 #include "features/core/errors.h"
 #include "store/database_file.h"
+#include "store/open_database.h"
 #include "store/sqlite_database.h"
 #include "store/sqlite_diagnosis.h"
-#include "store/sqlite_schema.h"
 
 namespace mdbd {
 namespace {
@@ -15,16 +15,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
   throw StoreError(path.string() + ": " + why);
-}
-
-Database open_database(const fs::path& path, Access access) {
-  if (!find_database_file(path)) {
-    refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
-  }
-  Database database(path, access);
-  require_whole_file(database);
-  require_current_schema(database);
-  return database;
 }
 
 std::int64_t query_integer(const Database& database, std::string_view sql) {
@@ -61,7 +51,7 @@ class UnfinishedFile {
 }  // namespace
 
 void backup_database(const fs::path& database, const fs::path& target) {
-  const Database source = open_database(database, Access::read_only);
+  const Database source = open_for_reading(database);
   if (find_database_file(target)) refuse(target, "is there already; name a new file");
   require_folder_of(target);
   UnfinishedFile copy(fs::path(target) += ".unfinished");
@@ -73,7 +63,7 @@ void backup_database(const fs::path& database, const fs::path& target) {
 }
 
 DatabaseSize database_size(const fs::path& path) {
-  const Database database = open_database(path, Access::read_only);
+  const Database database = open_for_reading(path);
   const Transaction reading(database, Transaction::Kind::reading);
   const auto page = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_size"));
   const auto pages = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_count"));
@@ -82,7 +72,7 @@ DatabaseSize database_size(const fs::path& path) {
 }
 
 void compact_database(const fs::path& path) {
-  const Database database = open_database(path, Access::read_write);
+  const Database database = open_current(path, Access::read_write);
   if (database.is_read_only()) throw StoreError(explain_read_only(path));
   database.execute("VACUUM");
   // In write-ahead mode the file itself shrinks when the log is copied into it.
@@ -90,7 +80,7 @@ void compact_database(const fs::path& path) {
 }
 
 std::vector<std::string> find_damage(const fs::path& path) {
-  const Database database = open_database(path, Access::read_only);
+  const Database database = open_for_reading(path);
   const Transaction reading(database, Transaction::Kind::reading);
   std::vector<std::string> damage;
   Statement integrity(database, "PRAGMA integrity_check");

@@ -6,12 +6,27 @@
 
 #include "store/shape_store.h"
 #include "store/sqlite_database.h"
+#include "tests/store/child_process.h"
 #include "tests/store/models.h"
 #include "tests/support/temporary_directory.h"
 
 using namespace mdbd;
 using namespace mdbd::test;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void make_store(const fs::path& path, int models) {
+  const auto store = open_store(path);
+  for (int i = 0; i < models; ++i) {
+    store->put(make_record("/" + std::to_string(i) + ".off"), make_data(i, 150));
+  }
+}
+
+}  // namespace
 
 TEST_CASE("a backup has what was there, whatever is written meanwhile, and no other name") {
   const TemporaryDirectory folder;
@@ -54,6 +69,30 @@ TEST_CASE("compacting gives the space of removed models back and keeps the other
   CHECK(after.unused_bytes == 0);
   CHECK(after.bytes < before.bytes / 4);
   CHECK(is_same(store->data(50), make_data(49, 400)));
+}
+
+TEST_CASE("a database in a read-only folder can be looked after as far as it is only read") {
+  const TemporaryDirectory folder;
+  const fs::path path = folder / "sub" / "a.db";
+  const fs::path copies = folder / "copies";
+  fs::create_directory(path.parent_path());
+  fs::create_directory(copies);
+  make_store(path, 1);
+  open_to_all(folder.path(), fs::perms::owner_all);
+  open_to_all(path, fs::perms::owner_read);
+  open_to_all(path.parent_path(), fs::perms::owner_read | fs::perms::owner_exec);
+  fs::permissions(copies, fs::perms::all);
+  CHECK(run_unprivileged([&] {
+          return store_error_of([&] {
+            database_size(path);
+            find_damage(path);
+            backup_database(path, copies / "b.db");
+          });
+        }).empty());
+  CHECK_THAT(run_unprivileged([&] { return store_error_of([&] { compact_database(path); }); }),
+             StartsWith(path.string()) && Contains("is read-only"));
+  fs::permissions(path.parent_path(), fs::perms::owner_all);
+  CHECK(open_store_read_only(copies / "b.db")->shapes().size() == 1);
 }
 
 TEST_CASE("damaged pages and rows without a model are found") {
