@@ -46,13 +46,17 @@ ExitCode show_info(const Arguments& arguments) {
   return ExitCode::done;
 }
 
+ExitCode report(const std::vector<std::string>& problems) {
+  for (const std::string& problem : problems) fmt::print("{}\n", mdbd::printable_message(problem));
+  return problems.empty() ? ExitCode::done : ExitCode::failed;
+}
+
+// Models are read only where SQLite finds nothing wrong: damage may keep them from being read.
 ExitCode verify(const Arguments& arguments) {
-  std::vector<std::string> problems = mdbd::find_damage(arguments.database);
+  if (report(mdbd::find_damage(arguments.database)) != ExitCode::done) return ExitCode::failed;
   const auto store = mdbd::open_store_read_only(arguments.database);
   const mdbd::Verification verification = mdbd::verify_store(*store);
-  problems.insert(problems.end(), verification.problems.begin(), verification.problems.end());
-  for (const std::string& problem : problems) fmt::print("{}\n", mdbd::printable_message(problem));
-  if (!problems.empty()) return ExitCode::failed;
+  if (report(verification.problems) != ExitCode::done) return ExitCode::failed;
   fmt::print("{} model{} verified, nothing wrong\n", verification.models,
              verification.models == 1 ? "" : "s");
   return ExitCode::done;

@@ -23,6 +23,20 @@ std::int64_t query_integer(const Database& database, std::string_view sql) {
   return statement.integer(0);
 }
 
+void check_pages(const Database& database, std::vector<std::string>& damage) {
+  Statement integrity(database, "PRAGMA integrity_check");
+  while (integrity.step()) {
+    if (integrity.text(0) != "ok") damage.push_back(integrity.text(0));
+  }
+}
+
+void check_references(const Database& database, std::vector<std::string>& damage) {
+  Statement references(database, "PRAGMA foreign_key_check");
+  while (references.step()) {
+    damage.push_back("a row of the table " + references.text(0) + " belongs to no model");
+  }
+}
+
 /// A file that is removed unless it is kept.
 class UnfinishedFile {
  public:
@@ -83,13 +97,11 @@ std::vector<std::string> find_damage(const fs::path& path) {
   const Database database = open_for_reading(path);
   const Transaction reading(database, Transaction::Kind::reading);
   std::vector<std::string> damage;
-  Statement integrity(database, "PRAGMA integrity_check");
-  while (integrity.step()) {
-    if (integrity.text(0) != "ok") damage.push_back(integrity.text(0));
-  }
-  Statement references(database, "PRAGMA foreign_key_check");
-  while (references.step()) {
-    damage.push_back("a row of the table " + references.text(0) + " belongs to no model");
+  try {
+    check_pages(database, damage);
+    check_references(database, damage);
+  } catch (const SqliteError& error) {
+    damage.emplace_back(error.what());
   }
   return damage;
 }

@@ -27,7 +27,8 @@ DatabaseSize database_size(const std::filesystem::path& database);
 void compact_database(const std::filesystem::path& database);
 
 /// Has SQLite check every page, index and reference.
-/// @returns what is wrong, a line each; empty if nothing is
+/// @returns what is wrong, a line each, the last one why SQLite stopped if it had to; empty if
+///          nothing is
 std::vector<std::string> find_damage(const std::filesystem::path& database);
 
 }  // namespace mdbd

@@ -1,6 +1,7 @@
 #include "store/maintenance.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include <catch2/catch.hpp>
 
@@ -19,11 +20,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t page_size = 4096;
+
 void make_store(const fs::path& path, int models) {
   const auto store = open_store(path);
   for (int i = 0; i < models; ++i) {
     store->put(make_record("/" + std::to_string(i) + ".off"), make_data(i, 150));
   }
+}
+
+void overwrite_page(const fs::path& path, std::size_t page) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>(page * page_size));
+  file << std::string(page_size, '\xff');
 }
 
 }  // namespace
@@ -93,6 +102,18 @@ TEST_CASE("a database in a read-only folder can be looked after as far as it is 
              StartsWith(path.string()) && Contains("is read-only"));
   fs::permissions(path.parent_path(), fs::perms::owner_all);
   CHECK(open_store_read_only(copies / "b.db")->shapes().size() == 1);
+}
+
+TEST_CASE("what is found of the damage is told, whatever SQLite cannot read after it") {
+  const TemporaryDirectory folder;
+  make_store(folder / "whole.db", 12);
+  const std::size_t pages = fs::file_size(folder / "whole.db") / page_size;
+  for (std::size_t page = 1; page < pages; ++page) {
+    fs::copy_file(folder / "whole.db", folder / "a.db", fs::copy_options::overwrite_existing);
+    overwrite_page(folder / "a.db", page);
+    INFO("page " << page << " of " << pages);
+    CHECK_FALSE(find_damage(folder / "a.db").empty());
+  }
 }
 
 TEST_CASE("damaged pages and rows without a model are found") {
