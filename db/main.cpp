@@ -11,7 +11,7 @@
 #include "db/export_arrays.h"
 #include "db/merge_stores.h"
 #include "db/verify_store.h"
-#include "features/core/errors.h"
+#include "features/core/signature.h"
 #include "features/shape_io/output_file.h"
 
 namespace {
@@ -83,19 +83,21 @@ ExitCode merge(const Arguments& arguments) {
 }
 
 void write_vectors(const mdbd::ShapeStore& store, const Arguments& arguments, bool is_npy) {
+  // Read once: the rows of both files are those of one state of the database.
+  const auto vectors = store.vectors(mdbd::stored_name(arguments.signature));
   if (!is_npy) {
-    mdbd::write_file(arguments.target, mdbd::vectors_to_csv(store, arguments.signature));
+    mdbd::write_file(arguments.target, mdbd::vectors_to_csv(vectors));
     return;
   }
-  mdbd::write_file(arguments.target, mdbd::vectors_to_npy(store, arguments.signature));
+  mdbd::write_file(arguments.target, mdbd::vectors_to_npy(vectors));
   mdbd::write_file(fs::path(arguments.target).replace_extension(".models.csv"),
-                   mdbd::models_to_csv(store, arguments.signature));
+                   mdbd::models_to_csv(vectors));
 }
 
 ExitCode export_numbers(const Arguments& arguments) {
   const fs::path ending = arguments.target.extension();
   if (ending != ".npy" && ending != ".csv") {
-    throw mdbd::InvalidInput(arguments.target.string() + ": the ending must be .npy or .csv");
+    throw CLI::ValidationError(arguments.target.string(), "the ending must be .npy or .csv");
   }
   const auto store = mdbd::open_store_read_only(arguments.database);
   if (arguments.what == "vectors") {

@@ -85,12 +85,14 @@ DatabaseSize database_size(const fs::path& path) {
   return {.bytes = page * pages, .unused_bytes = page * unused};
 }
 
-void compact_database(const fs::path& path) {
-  const Database database = open_current(path, Access::read_write);
+void compact_database(const fs::path& path, std::chrono::milliseconds busy_timeout) {
+  const Database database = open_current(path, Access::read_write, busy_timeout);
   if (database.is_read_only()) throw StoreError(explain_read_only(path));
   database.execute("VACUUM");
   // In write-ahead mode the file itself shrinks when the log is copied into it.
-  database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (query_integer(database, "PRAGMA wal_checkpoint(TRUNCATE)") != 0) {
+    refuse(path, "in use, so that its file cannot shrink yet; try again when nothing else uses it");
+  }
 }
 
 std::vector<std::string> find_damage(const fs::path& path) {

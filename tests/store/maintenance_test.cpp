@@ -80,6 +80,17 @@ TEST_CASE("compacting gives the space of removed models back and keeps the other
   CHECK(is_same(store->data(50), make_data(49, 400)));
 }
 
+TEST_CASE("compacting that a reader keeps from shrinking the file says so") {
+  const TemporaryDirectory folder;
+  make_store(folder / "a.db", 3);
+  const Database reader(folder / "a.db", Access::read_only);
+  const Transaction reading(reader, Transaction::Kind::reading);
+  Statement(reader, "SELECT count(*) FROM shapes").step();
+  CHECK_THAT(
+      store_error_of([&] { compact_database(folder / "a.db", std::chrono::milliseconds(50)); }),
+      StartsWith((folder / "a.db").string() + ": ") && Contains("in use"));
+}
+
 TEST_CASE("a database in a read-only folder can be looked after as far as it is only read") {
   const TemporaryDirectory folder;
   const fs::path path = folder / "sub" / "a.db";
