@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
-#include <span>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -15,10 +13,6 @@
 
 namespace mdbd {
 namespace {
-
-std::string_view stored_name(SignatureKind signature) {
-  return signature == SignatureKind::mdbd_100 ? signature_mdbd_100 : stored_mdbd_fused;
-}
 
 void append_bytes(std::span<const std::byte> bytes, std::string& content) {
   content.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -52,17 +46,16 @@ void for_each_indexed(const ShapeStore& store,
 
 }  // namespace
 
-std::string models_to_csv(const ShapeStore& store, SignatureKind signature) {
+std::string models_to_csv(std::span<const StoredVector> vectors) {
   std::string csv = "id,path,scale\n";
-  for (const StoredVector& vector : store.vectors(stored_name(signature))) {
+  for (const StoredVector& vector : vectors) {
     fmt::format_to(std::back_inserter(csv), "{},{},{}\n", vector.shape_id, csv_field(vector.path),
                    vector.scale);
   }
   return csv;
 }
 
-std::string vectors_to_csv(const ShapeStore& store, SignatureKind signature) {
-  const std::vector<StoredVector> vectors = store.vectors(stored_name(signature));
+std::string vectors_to_csv(std::span<const StoredVector> vectors) {
   if (vectors.empty()) return {};
   std::string csv = "id,path,scale";
   for (std::size_t i = 1; i <= vectors.front().values.size(); ++i) csv += fmt::format(",v{}", i);
@@ -76,8 +69,7 @@ std::string vectors_to_csv(const ShapeStore& store, SignatureKind signature) {
   return csv;
 }
 
-std::string vectors_to_npy(const ShapeStore& store, SignatureKind signature) {
-  const std::vector<StoredVector> vectors = store.vectors(stored_name(signature));
+std::string vectors_to_npy(std::span<const StoredVector> vectors) {
   const std::size_t columns = vectors.empty() ? 0 : vectors.front().values.size();
   std::string content = npy_header("'<f4'", fmt::format("{}, {}", vectors.size(), columns));
   for (const StoredVector& vector : vectors) {

@@ -1,25 +1,24 @@
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "features/core/signature.h"
 #include "store/shape_store.h"
 
 /// The numbers of a database for other programs, as the content of files. Models come in the order
-/// of their paths, in every file the same; failed ones are left out. CSV is RFC 4180 with plain
-/// line feeds, its numbers read back to the same bits.
+/// of the vectors, which is that of their paths as in the files of balls; failed ones are left out.
+/// CSV is RFC 4180 with plain line feeds, its numbers read back to the same bits.
 namespace mdbd {
 
 /// "id,path,scale": the models of the rows of vectors_to_npy(), below a header line.
-/// @param signature those that have no vector of it are left out
-std::string models_to_csv(const ShapeStore& store, SignatureKind signature);
+std::string models_to_csv(std::span<const StoredVector> vectors);
 
 /// "id,path,scale,v1,v2,…" below a header line; empty if there are no vectors.
-std::string vectors_to_csv(const ShapeStore& store, SignatureKind signature);
+std::string vectors_to_csv(std::span<const StoredVector> vectors);
 
 /// A NumPy array (format version 1.0) of float32, a row for each model.
 /// @throws StoreError if not all vectors have the same number of numbers
-std::string vectors_to_npy(const ShapeStore& store, SignatureKind signature);
+std::string vectors_to_npy(std::span<const StoredVector> vectors);
 
 /// "id,path,ball,x,y,z,r" below a header line; balls in order of placement, from 1.
 std::string balls_to_csv(const ShapeStore& store);

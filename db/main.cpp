@@ -11,7 +11,7 @@
 #include "db/export_arrays.h"
 #include "db/merge_stores.h"
 #include "db/verify_store.h"
-#include "features/core/errors.h"
+#include "features/core/signature.h"
 #include "features/shape_io/output_file.h"
 
 namespace {
@@ -46,13 +46,17 @@ ExitCode show_info(const Arguments& arguments) {
   return ExitCode::done;
 }
 
+ExitCode report(const std::vector<std::string>& problems) {
+  for (const std::string& problem : problems) fmt::print("{}\n", mdbd::printable_message(problem));
+  return problems.empty() ? ExitCode::done : ExitCode::failed;
+}
+
+// Models are read only where SQLite finds nothing wrong: damage may keep them from being read.
 ExitCode verify(const Arguments& arguments) {
-  std::vector<std::string> problems = mdbd::find_damage(arguments.database);
+  if (report(mdbd::find_damage(arguments.database)) != ExitCode::done) return ExitCode::failed;
   const auto store = mdbd::open_store_read_only(arguments.database);
   const mdbd::Verification verification = mdbd::verify_store(*store);
-  problems.insert(problems.end(), verification.problems.begin(), verification.problems.end());
-  for (const std::string& problem : problems) fmt::print("{}\n", mdbd::printable_message(problem));
-  if (!problems.empty()) return ExitCode::failed;
+  if (report(verification.problems) != ExitCode::done) return ExitCode::failed;
   fmt::print("{} model{} verified, nothing wrong\n", verification.models,
              verification.models == 1 ? "" : "s");
   return ExitCode::done;
@@ -79,19 +83,21 @@ ExitCode merge(const Arguments& arguments) {
 }
 
 void write_vectors(const mdbd::ShapeStore& store, const Arguments& arguments, bool is_npy) {
+  // Read once: the rows of both files are those of one state of the database.
+  const auto vectors = store.vectors(mdbd::stored_name(arguments.signature));
   if (!is_npy) {
-    mdbd::write_file(arguments.target, mdbd::vectors_to_csv(store, arguments.signature));
+    mdbd::write_file(arguments.target, mdbd::vectors_to_csv(vectors));
     return;
   }
-  mdbd::write_file(arguments.target, mdbd::vectors_to_npy(store, arguments.signature));
+  mdbd::write_file(arguments.target, mdbd::vectors_to_npy(vectors));
   mdbd::write_file(fs::path(arguments.target).replace_extension(".models.csv"),
-                   mdbd::models_to_csv(store, arguments.signature));
+                   mdbd::models_to_csv(vectors));
 }
 
 ExitCode export_numbers(const Arguments& arguments) {
   const fs::path ending = arguments.target.extension();
   if (ending != ".npy" && ending != ".csv") {
-    throw mdbd::InvalidInput(arguments.target.string() + ": the ending must be .npy or .csv");
+    throw CLI::ValidationError(arguments.target.string(), "the ending must be .npy or .csv");
   }
   const auto store = mdbd::open_store_read_only(arguments.database);
   if (arguments.what == "vectors") {

@@ -1,5 +1,6 @@
 #include "query/answer_query.h"
 
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,7 +77,8 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   answer.result = search_.search(query.vector, search);
   if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
-    match.hand = compare_hands(query.chirality, stored_chirality(store_, match.id));
+    const std::span<const float> vector = search_.collection()[match.row].values;
+    match.hand = compare_hands(query.chirality, vector.first(chirality_size));
   }
   return answer;
 }

@@ -50,7 +50,6 @@ class Collection {
         fused, [&](const StoredVector& vector) { return !descriptors_.contains(vector.shape_id); });
     const std::size_t searches = fused.size();
     search_.emplace(std::move(fused), fused_metric(), searches);
-    for (std::size_t row = 0; row < vectors().size(); ++row) row_of_[vectors()[row].shape_id] = row;
   }
 
   const std::vector<StoredVector>& vectors() const { return search_->collection(); }
@@ -75,8 +74,7 @@ class Collection {
                                 .threshold = threshold};
     std::vector<std::size_t> rows;
     for (const Match& match : search_->search(vectors()[row].values, options).matches) {
-      const std::size_t other = row_of_.at(match.id);
-      if (radii_distance(row, other) <= radii_share * threshold) rows.push_back(other);
+      if (radii_distance(row, match.row) <= radii_share * threshold) rows.push_back(match.row);
     }
     return rows;
   }
@@ -85,7 +83,6 @@ class Collection {
   std::unique_ptr<const SignatureMetric> radii_metric_;
   std::unique_ptr<const SignatureMetric> fused_ = fused_metric();
   std::unordered_map<std::int64_t, std::vector<float>> descriptors_;
-  std::unordered_map<std::int64_t, std::size_t> row_of_;
   std::optional<ExactSearch> search_;
 };
 

@@ -19,16 +19,23 @@ constexpr std::size_t l1_sketch_size = 64;
 constexpr std::size_t least_indexed_size = 10'000;
 constexpr std::size_t least_indexed_searches = 100;
 
+// Whether all numbers stay far from overflow when they are multiplied by a weight; false for NaN.
+bool are_usable(std::span<const float> values, double weight) {
+  return std::ranges::all_of(values, [weight](float value) {
+    return weight * std::abs(value) <= MetricSketch::largest_component;
+  });
+}
+
 /// The sum of the magnitudes of the numbers of a vector.
-/// @throws InvalidInput if one is not finite or far too large
-double magnitude(std::span<const float> values) {
-  double sum = 0.0;
-  bool is_usable = true;
-  for (const float value : values) {
-    is_usable = is_usable && std::abs(value) <= MetricSketch::largest_component;  // false for NaN
-    sum += std::abs(value);
+/// @throws InvalidInput if one is not finite or far too large, weighted or not
+double magnitude(std::span<const float> values, std::span<const MetricBlock> blocks) {
+  bool is_usable = are_usable(values, 1.0);
+  for (const MetricBlock& block : blocks) {
+    is_usable = is_usable && are_usable(values.subspan(block.first, block.count), block.weight);
   }
   if (!is_usable) throw InvalidInput("a vector holds a value that is not finite or far too large");
+  double sum = 0.0;
+  for (const float value : values) sum += std::abs(value);
   return sum;
 }
 
@@ -48,6 +55,7 @@ std::vector<NumberDifference> largest_differences(const SignatureMetric& metric,
                                                   std::span<const MetricBlock> blocks,
                                                   std::span<const float> query,
                                                   std::span<const float> match, std::size_t count) {
+  if (count == 0) return {};
   const std::vector<double> added = weighted_differences(blocks, query, match);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < added.size(); ++i) {
@@ -84,7 +92,7 @@ class ExactSearch::Candidates {
     const StoredVector& vector = search_.collection_[row];
     if (vector.scale < options_.min_scale || vector.scale > options_.max_scale) return;
     const double bound = block_distance(query_, vector.values, search_.blocks_);
-    if (bound * (1.0 - single_precision_margin) > limit_) return;
+    if (bound * (1.0 - search_.margin_) > limit_) return;
     ++examined_;
     const Candidate candidate{row, search_.metric_->distance(query_, vector.values)};
     if (candidate.distance <= limit_) add(candidate);
@@ -132,9 +140,14 @@ ExactSearch::ExactSearch(std::vector<StoredVector> collection,
       throw InvalidInput(vector.path + ": its vector has " + std::to_string(vector.values.size()) +
                          " numbers, which does not fit the collection");
     }
-    largest_magnitude_ = std::max(largest_magnitude_, magnitude(vector.values));
+    scales_.push_back(vector.scale);
   }
+  std::ranges::sort(scales_);
   blocks_ = metric_->blocks(dimension_);
+  margin_ = single_precision_margin(dimension_);
+  for (const StoredVector& vector : collection_) {
+    largest_magnitude_ = std::max(largest_magnitude_, magnitude(vector.values, blocks_));
+  }
   const bool pays = collection_.size() >= least_indexed_size && searches >= least_indexed_searches;
   if (method == SearchMethod::index || (method == SearchMethod::automatic && pays)) {
     index_ = build_index();
@@ -158,12 +171,19 @@ std::optional<ExactSearch::Index> ExactSearch::build_index() const {
   return Index{std::move(sketch), std::move(tree)};
 }
 
+std::size_t ExactSearch::count_within(const SearchOptions& options) const {
+  const auto first = std::ranges::lower_bound(scales_, options.min_scale);
+  const auto end = std::upper_bound(first, scales_.end(), options.max_scale);
+  return static_cast<std::size_t>(end - first);
+}
+
 void ExactSearch::scan(Candidates& candidates) const {
   for (std::size_t row = 0; row < collection_.size(); ++row) candidates.consider(row);
 }
 
 void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
-  const double margin = index_->sketch.margin(std::max(largest_magnitude_, magnitude(query)));
+  const double margin =
+      index_->sketch.margin(std::max(largest_magnitude_, magnitude(query, blocks_)));
   std::vector<float> sketch(index_->sketch.size());
   index_->sketch.write(query, sketch);
   const auto visitor = [&](std::size_t row) {
@@ -180,21 +200,20 @@ void ExactSearch::visit_index(std::span<const float> query, Candidates& candidat
 SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
   if (options.count == 0) throw InvalidInput("the number of matches asked for must be at least 1");
   SearchResult result;
-  result.collection_size = collection_.size();
-  result.exact = true;
   result.part_names = metric_->part_names();
   if (collection_.empty()) return result;
   if (query.size() != dimension_) {
     throw InvalidInput("a query of " + std::to_string(query.size()) +
                        " numbers against vectors of " + std::to_string(dimension_));
   }
-  magnitude(query);
+  magnitude(query, blocks_);
   Candidates candidates(*this, query, options);
   if (index_) {
     visit_index(query, candidates);
   } else {
     scan(candidates);
   }
+  result.compared = count_within(options);
   result.examined = candidates.examined();
   for (const Candidate& candidate : candidates.take()) {
     result.matches.push_back(describe(query, candidate, options.differences));
@@ -205,7 +224,8 @@ SearchResult ExactSearch::search(std::span<const float> query, const SearchOptio
 Match ExactSearch::describe(std::span<const float> query, const Candidate& candidate,
                             std::size_t differences) const {
   const StoredVector& model = collection_[candidate.row];
-  return {.id = model.shape_id,
+  return {.row = candidate.row,
+          .id = model.shape_id,
           .path = model.path,
           .scale = model.scale,
           .distance = candidate.distance,

@@ -29,6 +29,7 @@ struct NumberDifference {
 
 /// A model of the collection with its distance to the query.
 struct Match {
+  std::size_t row = 0;  ///< of ExactSearch::collection()
   std::int64_t id = 0;
   std::string path;
   double scale = 0.0;  ///< R in object units
@@ -40,12 +41,11 @@ struct Match {
   std::optional<Hand> hand;  ///< if it was asked for
 };
 
-/// The answer of a search.
+/// The answer of a search: no model that is not among the matches is nearer.
 struct SearchResult {
   std::vector<Match> matches;  ///< ordered by distance and, at equal distance, by path
   std::vector<std::string_view> part_names;
-  bool exact = false;  ///< no other model can be nearer: certified, or all were examined
-  std::size_t collection_size = 0;
+  std::size_t compared = 0;  ///< models within the range of R, those that a bound ruled out, too
   std::size_t examined = 0;  ///< models whose distance was computed
 };
 
@@ -77,7 +77,8 @@ class ExactSearch {
   /// @param collection vectors of the signature, all of one dimension; may be empty
   /// @param searches how many are to come, for SearchMethod::automatic
   /// @throws InvalidInput if a vector has another dimension than the first, fewer values than the
-  ///         metric needs, or a value that is not finite or above MetricSketch::largest_component
+  ///         metric needs, or a value that is not finite or, weighted or not, above
+  ///         MetricSketch::largest_component
   ExactSearch(std::vector<StoredVector> collection, std::unique_ptr<const SignatureMetric> metric,
               std::size_t searches = 1, SearchMethod method = SearchMethod::automatic);
 
@@ -98,15 +99,18 @@ class ExactSearch {
     std::variant<SketchTree, SketchList> points;
   };
   std::optional<Index> build_index() const;
+  std::size_t count_within(const SearchOptions& options) const;
   void scan(Candidates& candidates) const;
   void visit_index(std::span<const float> query, Candidates& candidates) const;
   Match describe(std::span<const float> query, const Candidate& candidate,
                  std::size_t differences) const;
 
   std::vector<StoredVector> collection_;
+  std::vector<double> scales_;  ///< of the collection, ascending
   std::unique_ptr<const SignatureMetric> metric_;
   std::vector<MetricBlock> blocks_;
   std::size_t dimension_ = 0;
+  double margin_ = 0.0;             ///< single_precision_margin() of the vectors
   double largest_magnitude_ = 0.0;  ///< of the vectors: the sum of the magnitudes of the numbers
   std::optional<Index> index_;
 };

@@ -23,14 +23,14 @@ void print_completed(std::size_t completed) {
 
 void print_note(const mdbd::QueryAnswer& answer, bool is_filtered) {
   const mdbd::SearchResult& result = answer.result;
-  if (result.collection_size == 0) {
+  if (result.compared == 0) {
     fmt::print(stderr, "{}\n",
                is_filtered ? "No model of the database passes the filters."
                            : "The database holds no models; add some with mdbd-index.");
     return;
   }
-  fmt::print(stderr, "Compared with {} model{}; the answer is {}.\n", result.collection_size,
-             result.collection_size == 1 ? "" : "s", result.exact ? "exact" : "approximate");
+  fmt::print(stderr, "Compared with {} model{}; the answer is exact.\n", result.compared,
+             result.compared == 1 ? "" : "s");
   print_completed(answer.completed);
 }
 
@@ -57,7 +57,8 @@ ExitCode find_matches(const mdbd::ShapeStore& store, const mdbd::QueryArguments&
   std::fflush(stdout);  // so that the note follows the answer where both go to one place
   for (const std::string& failure : run.failures) mdbd::print_warning(program, failure);
   if (!arguments.is_json && !run.answers.empty()) {
-    print_note(run.answers.front(), !arguments.options.filter.is_empty());
+    const mdbd::QueryOptions& options = arguments.options;
+    print_note(run.answers.front(), !options.filter.is_empty() || options.has_same_size);
   }
   if (run.failures.empty()) return ExitCode::done;
   return run.answers.empty() ? ExitCode::failed : ExitCode::partial;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace mdbd {
@@ -20,18 +21,23 @@ struct MetricBlock {
   PointNorm norm = PointNorm::l2;
 };
 
-/// How far rounding may move a distance in single precision, relatively, at most; it is about ten
-/// times what sums of a thousand terms in eight lanes can reach.
-inline constexpr double single_precision_margin = 1e-4;
+/// How far rounding may move a distance in single precision, relatively, at most. What a number
+/// adds goes through an addition for every eight numbers and fifteen more, each of which rounds by
+/// half an epsilon at most.
+constexpr double single_precision_margin(std::size_t numbers) {
+  constexpr double epsilon = std::numeric_limits<float>::epsilon();
+  return epsilon * (static_cast<double>(numbers) + 8.0);
+}
 
-/// The distance of two vectors in single precision, within single_precision_margin of the true one.
+/// The distance of two vectors in single precision, within single_precision_margin() of the true
+/// one.
 /// @pre the blocks lie within both vectors, and no component exceeds
 ///      MetricSketch::largest_component
 double block_distance(std::span<const float> f, std::span<const float> g,
                       std::span<const MetricBlock> blocks);
 
 /// The L1 distances in single precision of a point from those that lie one after the other in
-/// `points`, `distances.size()` of them, within single_precision_margin of the true ones.
+/// `points`, `distances.size()` of them, within single_precision_margin() of the true ones.
 /// @pre a point has a multiple of 8 numbers
 void l1_distances(std::span<const float> point, std::span<const float> points,
                   std::span<float> distances);

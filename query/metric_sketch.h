@@ -23,7 +23,7 @@ namespace mdbd {
 /// collection bounds the distances of any vectors, it just serves other ones less well.
 class MetricSketch {
  public:
-  /// Components above this magnitude would overflow in single precision.
+  /// Components above this magnitude, weighted or not, would overflow in single precision.
   static constexpr float largest_component = 1e15F;
 
   /// @param blocks of the metric, all of one norm, with a weight above 0 in one of them
@@ -44,7 +44,8 @@ class MetricSketch {
   double margin(double magnitude) const;
 
  private:
-  /// One number of a sketch: a weighted sum of a vector's numbers less their means.
+  /// One number of a sketch: a weighted sum of a vector's numbers less those of one vector of the
+  /// collection.
   struct Axis {
     struct Term {
       std::size_t index;

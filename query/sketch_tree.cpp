@@ -7,17 +7,20 @@
 #include <flann/algorithms/kdtree_single_index.h>
 
 #include "features/core/errors.h"
-#include "query/metric_block.h"
 
 namespace mdbd {
 namespace {
 
 constexpr int leaf_size = 32;
 
+// How far rounding may move FLANN's distances, relatively: that of a box adds up along the way down
+// to it, through more steps than a point has numbers.
+constexpr double tree_margin = 1e-4;
+
 // The radius in FLANN's terms, in which L2 is squared and what is as far as the limit is left out.
 float to_limit(double radius) {
   const double limit =
-      radius * radius * (1.0 + 2.0 * single_precision_margin) + std::numeric_limits<float>::min();
+      radius * radius * (1.0 + 2.0 * tree_margin) + std::numeric_limits<float>::min();
   return limit < std::numeric_limits<float>::max() ? static_cast<float>(limit)
                                                    : std::numeric_limits<float>::infinity();
 }

@@ -4,9 +4,9 @@
 
 #include "features/core/errors.h"
 #include "store/database_file.h"
+#include "store/open_database.h"
 #include "store/sqlite_database.h"
 #include "store/sqlite_diagnosis.h"
-#include "store/sqlite_schema.h"
 
 namespace mdbd {
 namespace {
@@ -17,20 +17,24 @@ namespace fs = std::filesystem;
   throw StoreError(path.string() + ": " + why);
 }
 
-Database open_database(const fs::path& path, Access access) {
-  if (!find_database_file(path)) {
-    refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
-  }
-  Database database(path, access);
-  require_whole_file(database);
-  require_current_schema(database);
-  return database;
-}
-
 std::int64_t query_integer(const Database& database, std::string_view sql) {
   Statement statement(database, sql);
   statement.step();
   return statement.integer(0);
+}
+
+void check_pages(const Database& database, std::vector<std::string>& damage) {
+  Statement integrity(database, "PRAGMA integrity_check");
+  while (integrity.step()) {
+    if (integrity.text(0) != "ok") damage.push_back(integrity.text(0));
+  }
+}
+
+void check_references(const Database& database, std::vector<std::string>& damage) {
+  Statement references(database, "PRAGMA foreign_key_check");
+  while (references.step()) {
+    damage.push_back("a row of the table " + references.text(0) + " belongs to no model");
+  }
 }
 
 /// A file that is removed unless it is kept.
@@ -61,7 +65,7 @@ class UnfinishedFile {
 }  // namespace
 
 void backup_database(const fs::path& database, const fs::path& target) {
-  const Database source = open_database(database, Access::read_only);
+  const Database source = open_for_reading(database);
   if (find_database_file(target)) refuse(target, "is there already; name a new file");
   require_folder_of(target);
   UnfinishedFile copy(fs::path(target) += ".unfinished");
@@ -73,7 +77,7 @@ void backup_database(const fs::path& database, const fs::path& target) {
 }
 
 DatabaseSize database_size(const fs::path& path) {
-  const Database database = open_database(path, Access::read_only);
+  const Database database = open_for_reading(path);
   const Transaction reading(database, Transaction::Kind::reading);
   const auto page = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_size"));
   const auto pages = static_cast<std::uint64_t>(query_integer(database, "PRAGMA page_count"));
@@ -81,25 +85,25 @@ DatabaseSize database_size(const fs::path& path) {
   return {.bytes = page * pages, .unused_bytes = page * unused};
 }
 
-void compact_database(const fs::path& path) {
-  const Database database = open_database(path, Access::read_write);
+void compact_database(const fs::path& path, std::chrono::milliseconds busy_timeout) {
+  const Database database = open_current(path, Access::read_write, busy_timeout);
   if (database.is_read_only()) throw StoreError(explain_read_only(path));
   database.execute("VACUUM");
   // In write-ahead mode the file itself shrinks when the log is copied into it.
-  database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (query_integer(database, "PRAGMA wal_checkpoint(TRUNCATE)") != 0) {
+    refuse(path, "in use, so that its file cannot shrink yet; try again when nothing else uses it");
+  }
 }
 
 std::vector<std::string> find_damage(const fs::path& path) {
-  const Database database = open_database(path, Access::read_only);
+  const Database database = open_for_reading(path);
   const Transaction reading(database, Transaction::Kind::reading);
   std::vector<std::string> damage;
-  Statement integrity(database, "PRAGMA integrity_check");
-  while (integrity.step()) {
-    if (integrity.text(0) != "ok") damage.push_back(integrity.text(0));
-  }
-  Statement references(database, "PRAGMA foreign_key_check");
-  while (references.step()) {
-    damage.push_back("a row of the table " + references.text(0) + " belongs to no model");
+  try {
+    check_pages(database, damage);
+    check_references(database, damage);
+  } catch (const SqliteError& error) {
+    damage.emplace_back(error.what());
   }
   return damage;
 }

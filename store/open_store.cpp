@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include "store/database_file.h"
+#include "store/open_database.h"
 #include "store/shape_store.h"
 #include "store/sqlite_database.h"
 #include "store/sqlite_diagnosis.h"
@@ -47,30 +48,6 @@ void require_same_recipe(const Database& database, const Recipe& asked) {
                               "; use another file with --db, or the same options");
 }
 
-Database open_current(const fs::path& path, Access access) {
-  Database database(path, access);
-  require_whole_file(database);
-  require_current_schema(database);
-  return database;
-}
-
-// Even a reader of a database in write-ahead mode needs the files "-wal" and "-shm", which cannot
-// be made in a read-only place. Where there is no log, everything is in the database file and
-// nobody is writing it, so that it may be read as immutable, without them.
-Database open_for_reading(const fs::path& path) {
-  try {
-    return open_current(path, Access::read_only);
-  } catch (const SqliteError& error) {
-    if (error.code() != SQLITE_CANTOPEN && error.code() != SQLITE_READONLY) throw;
-    if (const std::optional<fs::path> log = find_log(path)) {
-      refuse(path, "has changes in " + log->string() +
-                       ", which cannot be read in a read-only place; run mdbd-index on it where it "
-                       "can be written, or copy both files to such a place");
-    }
-  }
-  return open_current(path, Access::immutable);
-}
-
 }  // namespace
 
 std::unique_ptr<ShapeStore> open_store(const fs::path& path, const std::optional<Recipe>& recipe) {
@@ -86,9 +63,6 @@ std::unique_ptr<ShapeStore> open_store(const fs::path& path, const std::optional
 }
 
 std::unique_ptr<const ShapeStore> open_store_read_only(const fs::path& path) {
-  if (!find_database_file(path)) {
-    refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
-  }
   return std::make_unique<SqliteShapeStore>(open_for_reading(path));
 }
 

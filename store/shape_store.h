@@ -56,9 +56,9 @@ class ShapeStore {
   /// Vectors and balls of one model; all empty if it failed.
   virtual ShapeData data(std::int64_t id) const = 0;
 
-  /// Stores one more signature of an indexed model, in place of what was stored under its name or,
-  /// if that ends in "/" and a number, under its name with another number. It goes when the model
-  /// is put again.
+  /// Stores one more signature of an indexed model, in place of what was stored under its name and,
+  /// if that has a "/", under every name that begins with the same up to there, such as
+  /// "mdbd-fused/1" for "mdbd-fused/2". It goes when the model is put again.
   /// @pre the signature is not mdbd-100, which put() stores; all numbers are finite
   /// @throws StoreError also if a precondition does not hold or there is no such model
   virtual void put_vector(std::int64_t id, std::string_view signature,

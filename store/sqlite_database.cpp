@@ -44,6 +44,18 @@ int open_flags(Access access) {
   return 0;
 }
 
+// Whether a copy failed by what was read, not by what was written.
+bool is_failure_of_source(int code) {
+  switch (code) {
+    case SQLITE_IOERR_READ:
+    case SQLITE_IOERR_SHORT_READ:
+    case SQLITE_IOERR_CORRUPTFS:
+      return true;
+    default:
+      return (code & 0xff) == SQLITE_CORRUPT || (code & 0xff) == SQLITE_NOTADB;
+  }
+}
+
 }  // namespace
 
 void Database::Closer::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
@@ -90,7 +102,7 @@ void Database::back_up_to(const Database& target) const {
   if (backup == nullptr) target.fail(sqlite3_extended_errcode(target.handle_.get()));
   const int code = sqlite3_backup_step(backup, -1);  // all pages at once: no writer comes between
   sqlite3_backup_finish(backup);
-  if (code != SQLITE_DONE) target.fail(code);
+  if (code != SQLITE_DONE) (is_failure_of_source(code) ? *this : target).fail(code);
 }
 
 void Database::execute(const std::string& sql) const {

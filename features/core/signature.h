@@ -22,4 +22,9 @@ constexpr std::string_view to_string(SignatureKind kind) {
   return kind == SignatureKind::mdbd_100 ? signature_mdbd_100 : signature_mdbd_fused;
 }
 
+/// The name under which the store keeps the vectors of a signature.
+constexpr std::string_view stored_name(SignatureKind kind) {
+  return kind == SignatureKind::mdbd_100 ? signature_mdbd_100 : stored_mdbd_fused;
+}
+
 }  // namespace mdbd

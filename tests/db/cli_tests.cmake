@@ -30,8 +30,11 @@ db_test(export_vectors REGEXP "^v\\.csv\nv\\.models\\.csv\nv\\.npy\n$"
   COMMAND sh -c "${db} export vectors v.npy --db ${database} && ${db} export vectors v.csv --signature mdbd-fused --db ${database} && ls v.*")
 db_test(export_balls REGEXP "^id,path,ball,x,y,z,r\n"
   COMMAND sh -c "${db} export balls b.npy --db ${database} && ${db} export balls b.csv --db ${database} && head -1 b.csv")
-db_test(export_ending EXIT 1 COMMAND mdbd-db export balls b.txt --db ${database}
+db_test(export_ending EXIT 2 COMMAND mdbd-db export balls b.txt --db ${database}
   REGEXP "b\\.txt: the ending must be \\.npy or \\.csv")
+db_test(damaged_page EXIT 1 REGEXP "^[^\n]*main[^\n]*\n"
+  SETUP "cp '${database}' a.db && head -c 4096 /dev/zero | dd of=a.db bs=4096 seek=2 conv=notrunc"
+  COMMAND mdbd-db verify --db a.db)
 db_test(damaged EXIT 1 REGEXP "a\\.db: "
   SETUP "head -c 8192 '${database}' > a.db" COMMAND mdbd-db verify --db a.db)
 mdbd_cli_test(NAME db/missing COMMAND mdbd-db info EXIT 1 REGEXP "there is no such database")

@@ -39,13 +39,13 @@ TEST_CASE("arrays hold the numbers of the indexed models in the order of their p
   store->put(make_failed_record("/c.off"), {});
   store->put(make_record("/a,1.off"), make_data(1, 2));
 
-  const std::string npy = vectors_to_npy(*store, SignatureKind::mdbd_100);
+  const std::string npy = vectors_to_npy(store->vectors(signature_mdbd_100));
   const std::size_t data = data_offset(npy);
   CHECK(npy.find("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 100), }") == 10);
   CHECK(npy.size() == data + 2 * 100 * sizeof(float));
   CHECK(number_at<float>(npy, data) == make_data(1).signature[0]);
   CHECK(number_at<float>(npy, data + 199 * sizeof(float)) == make_data(2).signature[99]);
-  CHECK(models_to_csv(*store, SignatureKind::mdbd_100) ==
+  CHECK(models_to_csv(store->vectors(signature_mdbd_100)) ==
         "id,path,scale\n3,\"/a,1.off\",1.5\n1,/b.off,1.5\n");
 
   const std::string balls = balls_to_npy(*store);
@@ -60,12 +60,12 @@ TEST_CASE("arrays hold the numbers of the indexed models in the order of their p
 TEST_CASE("CSV has a line for each model, or for each ball") {
   const TemporaryDirectory folder;
   const auto store = open_store(folder / "a.db");
-  CHECK(vectors_to_csv(*store, SignatureKind::mdbd_100).empty());
+  CHECK(vectors_to_csv(store->vectors(signature_mdbd_100)).empty());
   store->put(make_record("/a.off"), make_data(1, 2));
   CHECK_THAT(
-      vectors_to_csv(*store, SignatureKind::mdbd_100),
+      vectors_to_csv(store->vectors(signature_mdbd_100)),
       StartsWith("id,path,scale,v1,v2,") && Catch::Contains("v100\n1,/a.off,1.5,1,1.142857"));
-  CHECK_THAT(vectors_to_csv(*store, SignatureKind::mdbd_fused), Catch::Contains(",v30\n"));
+  CHECK_THAT(vectors_to_csv(store->vectors(stored_mdbd_fused)), Catch::Contains(",v30\n"));
   CHECK_THAT(
       balls_to_csv(*store),
       StartsWith("id,path,ball,x,y,z,r\n1,/a.off,1,1.3333333333333333,0,-0,0.5\n1,/a.off,2,"));

@@ -72,7 +72,10 @@ query_test(filters COMMAND mdbd-query --id 1 --db ${database} --class boxes --gl
 query_test(filters_pass_none COMMAND mdbd-query --id 1 --db ${database} --min-scale 1000
   REGEXP "^No model of the database passes the filters\\.\n$")
 query_test(same_size COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --same-size
-  REGEXP "\n +1 [^\n]*/boxes/cube\\.off\n")
+  REGEXP "\n +1 [^\n]*/boxes/cube\\.off\nCompared with 1 model; the answer is exact\\.\n$")
+query_test(same_size_of_none COMMAND mdbd-query small.off --db ${database} --same-size
+  SETUP "sed 's/^1 1 1$/0.5 0.5 0.5/' '${models}/other/tetrahedron.off' > small.off"
+  REGEXP "^No model of the database passes the filters\\.\n$")
 query_test(duplicates COMMAND mdbd-query --duplicates --db ${database}
   REGEXP "^0 groups of the same shape among 3 models\\.\n$")
 query_test(duplicates_json COMMAND mdbd-query --duplicates --db ${database} --json --threshold 100
@@ -109,5 +112,11 @@ mdbd_cli_test(NAME query/json_and_csv COMMAND mdbd-query a.off --json --csv EXIT
 mdbd_cli_test(NAME query/explain_and_csv COMMAND mdbd-query a.off --explain --csv EXIT 2
   REGEXP "--explain excludes --csv")
 mdbd_cli_test(NAME query/top_zero COMMAND mdbd-query a.off --top 0 EXIT 2 REGEXP "--top")
+foreach(option threshold min-scale max-scale)
+  foreach(number nan -1 x)
+    mdbd_cli_test(NAME query/${option}_${number} COMMAND mdbd-query --id 1 --${option} ${number} EXIT 2
+      REGEXP "--${option}")
+  endforeach()
+endforeach()
 mdbd_cli_test(NAME query/id_no_number COMMAND mdbd-query --id one EXIT 2 REGEXP "--id")
 mdbd_cli_test(NAME query/unknown_option COMMAND mdbd-query a.off --nearest EXIT 2 REGEXP "--nearest")

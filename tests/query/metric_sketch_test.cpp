@@ -96,7 +96,7 @@ TEST_CASE("distances in single precision are within their margin") {
   for (const StoredVector& vector : collection) {
     const double distance = true_distance(collection[0].values, vector.values, two_blocks(norm));
     CHECK(block_distance(collection[0].values, vector.values, two_blocks(norm)) ==
-          Approx(distance).epsilon(single_precision_margin / 10));
+          Approx(distance).epsilon(single_precision_margin(vector_size)));
   }
 }
 

@@ -15,10 +15,9 @@ namespace {
 
 SearchResult example() {
   SearchResult result;
-  result.exact = true;
-  result.collection_size = 3;
-  result.matches = {{7, "/models/chair/a.off", 2.5, 0.1 + 0.2, {0.1, 0.2}, {}, {}},
-                    {9, "/other/table, \"big\".obj", 1.0, 1.0, {1.0, 0.0}, {}, {}}};
+  result.compared = 3;
+  result.matches = {{0, 7, "/models/chair/a.off", 2.5, 0.1 + 0.2, {0.1, 0.2}, {}, {}},
+                    {1, 9, "/other/table, \"big\".obj", 1.0, 1.0, {1.0, 0.0}, {}, {}}};
   result.part_names = {"radii", "walk"};
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -73,6 +74,13 @@ inline std::string run_unprivileged(const std::function<std::string()>& work) {
     write_text(output, work());
   });
   return child.read_all();
+}
+
+/// Gives a file or a folder to everyone to read, as a test's own folder is closed to others.
+inline void open_to_all(const std::filesystem::path& path, std::filesystem::perms own) {
+  using std::filesystem::perms;
+  std::filesystem::permissions(
+      path, own | perms::group_read | perms::others_read | perms::group_exec | perms::others_exec);
 }
 
 }  // namespace mdbd::test

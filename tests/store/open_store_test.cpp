@@ -40,12 +40,6 @@ void check_both_refuse(const fs::path& path, const std::string& words) {
   CHECK_THAT(reading, StartsWith(path.string() + ": ") && Contains(words));
 }
 
-// Gives a folder to everyone, as the test's own folder is closed to others.
-void open_to_all(const fs::path& path, fs::perms own) {
-  fs::permissions(path, own | fs::perms::group_read | fs::perms::others_read |
-                            fs::perms::group_exec | fs::perms::others_exec);
-}
-
 }  // namespace
 
 TEST_CASE("a new database gets the recipe asked for, or the default one") {

@@ -106,6 +106,14 @@ TEST_CASE("errors name the database and carry SQLite's code and words") {
   }
 }
 
+TEST_CASE("a copy that fails by what is read names the database that is read") {
+  const TemporaryDirectory folder;
+  const Database source(folder.write("source.db", std::string(10'000, 'S')), Access::read_only);
+  const Database target(folder / "target.db", Access::read_write);
+  CHECK_THAT(store_error_of([&] { source.back_up_to(target); }),
+             StartsWith((folder / "source.db").string() + ": its header is damaged"));
+}
+
 TEST_CASE("a lock that is not released is named") {
   const TemporaryDirectory folder;
   const Database first = make_database(folder / "a.db");
