@@ -24,7 +24,9 @@ struct PartCount {
   int all = 0;
   int bounding = 0;
 
-  double share() const { return all > 0 ? static_cast<double>(bounding) / all : 1.0; }
+  double share(double unknown) const {
+    return all > 0 ? static_cast<double>(bounding) / all : unknown;
+  }
 };
 
 struct SurfacePoint {
@@ -83,8 +85,10 @@ Enclosure measure_enclosure(const TriangleMesh& mesh, const std::vector<std::uin
       count->bounding += bounding;
     }
   }
-  Enclosure enclosure{.share = whole.share(), .part_shares = {}};
-  for (const PartCount& part : parts) enclosure.part_shares.push_back(part.share());
+  Enclosure enclosure{.share = whole.share(1.0), .part_shares = {}};
+  for (const PartCount& part : parts) {
+    enclosure.part_shares.push_back(part.share(enclosure.share));
+  }
   return enclosure;
 }
 

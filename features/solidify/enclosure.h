@@ -11,7 +11,7 @@ namespace mdbd {
 /// 1/2 and -1/2, off a double sheet 0 and 0. Shares of area, from 0 to 1.
 struct Enclosure {
   double share = 1.0;               ///< of the whole surface
-  std::vector<double> part_shares;  ///< of each part; 1 where it is too small to tell
+  std::vector<double> part_shares;  ///< of each part; the whole's where it is too small to tell
 };
 
 /// Looks at the winding number `depth` off a thousand points that are spread evenly over the area.
