@@ -8,22 +8,6 @@
 using namespace mdbd;
 using namespace mdbd::test;
 
-namespace {
-
-void add_cube(TriangleMesh& mesh, const Eigen::Vector3d& origin, double size, bool is_inverted) {
-  const auto start = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Eigen::Vector3d& vertex : make_cube().vertices) {
-    mesh.vertices.push_back(origin + size * vertex);
-  }
-  for (auto triangle : make_cube().triangles) {
-    if (is_inverted) turn(triangle);
-    for (std::uint32_t& corner : triangle) corner += start;
-    mesh.triangles.push_back(triangle);
-  }
-}
-
-}  // namespace
-
 TEST_CASE("turned faces of a closed surface are turned back") {
   for (const std::size_t count : {1, 2, 5, 9, 12}) {
     TriangleMesh cube = make_cube();
