@@ -16,15 +16,19 @@ constexpr char sent_value = 'v';
 constexpr char sent_invalid_input = 'i';
 constexpr char sent_io_error = 'e';
 
-std::string run_computation(const std::function<std::string()>& compute) {
+std::string run_computation(const std::filesystem::path& file,
+                            const std::function<std::string()>& compute) {
   try {
     return sent_value + compute();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const IoError& error) {
     return sent_io_error + std::string(error.what());
-  } catch (const std::exception& error) {
+  } catch (const InvalidInput& error) {
     return sent_invalid_input + std::string(error.what());
+  } catch (const std::exception& error) {
+    return sent_invalid_input +
+           fmt::format("{}: unexpected failure: {}", file.string(), error.what());
   }
 }
 
@@ -43,7 +47,7 @@ ProcessOutcome run_process(const ProcessLimits& limits, const ProcessWork& work)
 std::string compute_isolated(const std::filesystem::path& file, const ProcessLimits& limits,
                              const std::function<std::string()>& compute) {
   ProcessOutcome outcome =
-      run_process(limits, [&](const SendOutput& send) { send(run_computation(compute)); });
+      run_process(limits, [&](const SendOutput& send) { send(run_computation(file, compute)); });
   if (outcome.end != ProcessEnd::finished || outcome.output.empty()) {
     throw InvalidInput(fmt::format("{}: {}", file.string(), outcome.reason));
   }

@@ -13,11 +13,13 @@
 namespace mdbd {
 
 /// Runs a computation in a process of its own.
-/// @param file stands in front of the reason if the process ends before the computation
+/// @param file stands in front of the reason if the process ends before the computation, or if that
+///        threw something else
 /// @returns what the computation returned
 /// @throws IoError and InvalidInput with the message that the computation threw
-/// @throws InvalidInput with the reason if the process crashed or went beyond its limits
-/// @throws IoError if the system gives no process
+/// @throws InvalidInput with the reason if it threw something else, or if the process crashed or
+///         went beyond its limits
+/// @throws std::system_error if the system gives no process
 std::string compute_isolated(const std::filesystem::path& file, const ProcessLimits& limits,
                              const std::function<std::string()>& compute);
 
@@ -25,6 +27,7 @@ std::string compute_isolated(const std::filesystem::path& file, const ProcessLim
 /// arrive.
 /// @throws IoError or InvalidInput as describe_file(), and InvalidInput with the reason if the
 ///         process crashed or went beyond its limits; the message does not name the file
+/// @throws std::system_error if the system gives no process
 ShapeDescription describe_isolated(const std::filesystem::path& file, const Recipe& recipe,
                                    const ProcessLimits& limits);
 

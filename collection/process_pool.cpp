@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #include "cli/options.h"
-#include "features/core/errors.h"
 
 namespace mdbd {
 namespace {
@@ -37,9 +36,8 @@ constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 constexpr bool has_address_sanitizer = false;
 #endif
 
-[[noreturn]] void throw_system_error(const char* what) {
-  const int error = errno;
-  throw IoError(fmt::format("{}: {}", what, std::generic_category().message(error)));
+[[noreturn]] void throw_system_error(int error, const char* what) {
+  throw std::system_error(error, std::generic_category(), what);
 }
 
 // ---- In the new process ----
@@ -188,7 +186,7 @@ bool ProcessPool::is_empty() const { return processes_.empty(); }
 
 void ProcessPool::start(std::size_t job, const ProcessWork& work) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_system_error("cannot create a pipe");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_system_error(errno, "cannot create a pipe");
   auto process = std::make_unique<Process>();
   process->job = job;
   process->pipe_end = ends[0];
@@ -201,8 +199,9 @@ void ProcessPool::start(std::size_t job, const ProcessWork& work) {
     become_job(ends[1], parent, limits_);
     run_job(work);
   }
-  if (child < 0) throw_system_error("cannot start a process");  // the program ends with this
+  const int error = errno;
   close(ends[1]);
+  if (child < 0) throw_system_error(error, "cannot start a process");
   process->id = child;
   processes_.push_back(std::move(process));
 }

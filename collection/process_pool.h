@@ -54,7 +54,7 @@ class ProcessPool {
 
   /// Starts a job under a number of the caller's choice.
   /// @pre !is_full()
-  /// @throws IoError if the system gives no process
+  /// @throws std::system_error if the system gives no process: no fault of a file
   void start(std::size_t job, const ProcessWork& work);
 
   /// Waits until something happens, a signal arrives or the time is over.

@@ -85,7 +85,7 @@ class ModelCache {
   const Recipe& recipe() const;
 
   /// Describes models under a variant.
-  /// @throws Interrupted, StoreError, IoError if no process can be started
+  /// @throws Interrupted, StoreError, std::system_error if no process can be started
   DescribedModels describe(std::span<const LabelledModel> models, const Variant& variant);
 
   /// Computes a further signature of models; empty also for models that cannot be described as they

@@ -19,11 +19,11 @@
 #include "features/solidify/solidify_mesh.h"
 
 namespace mdbd {
-
 namespace {
 
 // A ball of less than that may lie on the boundary between samples, and not inside.
 constexpr double least_radius_in_spacings = 1.0;
+
 /// A mesh that is ready to be measured, with what was done to it.
 struct PreparedMesh {
   TriangleMesh mesh;
@@ -45,6 +45,8 @@ void orient(PreparedMesh& prepared, const MeshStatistics& statistics) {
   if (!statistics.watertight) return;
   if (prepared.is_closed && statistics.components == 1) return;
   prepared.faces_turned = orient_shells(prepared.mesh);
+  // The statistics know of faces without area that the mesh no longer has.
+  if (prepared.faces_turned == 0 && statistics.faces_degenerate == 0) return;
   prepared.is_closed = is_closed(measure_statistics(prepared.mesh));
 }
 

@@ -1,5 +1,6 @@
 #include "features/point_cloud/oriented_cloud.h"
 
+#include <algorithm>
 #include <string>
 
 #include "features/core/errors.h"
@@ -45,8 +46,7 @@ void require_enough(const PointCloud& cloud) {
                      " different ones, at least " + std::to_string(fewest_points) + " are needed");
 }
 
-OrientedCloud orient(const PointCloud& cloud) {
-  const Neighbourhoods neighbourhoods(cloud.points, neighbourhood_size);
+OrientedCloud orient(const PointCloud& cloud, const Neighbourhoods& neighbourhoods) {
   const CloudSurface surface = estimate_surface(cloud, neighbourhoods);
   std::vector<Eigen::Vector3d> normals = orient_normals(cloud, surface, neighbourhoods);
   OrientedCloud oriented{.points = cloud.points,
@@ -70,11 +70,13 @@ OrientedCloud orient(const PointCloud& cloud) {
 
 OrientedCloud orient_cloud(const PointCloud& cloud) {
   require_enough(cloud);
-  const std::vector<bool> is_outlier =
-      find_outliers(cloud, Neighbourhoods(cloud.points, neighbourhood_size));
+  const Neighbourhoods neighbourhoods(cloud.points, neighbourhood_size);
+  const std::vector<bool> is_outlier = find_outliers(cloud, neighbourhoods);
+  const auto outliers = static_cast<std::size_t>(std::ranges::count(is_outlier, true));
+  if (outliers == 0) return orient(cloud, neighbourhoods);
   const PointCloud kept = without(cloud, is_outlier);
-  OrientedCloud oriented = orient(kept);
-  oriented.outliers = cloud.points.size() - kept.points.size();
+  OrientedCloud oriented = orient(kept, Neighbourhoods(kept.points, neighbourhood_size));
+  oriented.outliers = outliers;
   return oriented;
 }
 

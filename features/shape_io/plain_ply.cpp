@@ -352,15 +352,14 @@ PointCloud read_ply_points(std::string_view bytes) {
 }
 
 bool has_ply_points_alone(std::string_view beginning) {
-  const auto count_of = [](const Header& header, std::string_view name) {
-    std::uint64_t count = 0;
-    for (const Element& element : header.elements)
-      count += element.name == name ? element.count : 0;
-    return count;
-  };
   try {
     const Header header = read_header(beginning);
-    return count_of(header, "vertex") > 0 && count_of(header, "face") == 0;
+    const auto has = [&](std::string_view name) {
+      return std::ranges::any_of(header.elements, [&](const Element& element) {
+        return element.name == name && element.count > 0;
+      });
+    };
+    return has("vertex") && !has("face") && !has("tristrips");
   } catch (const InvalidInput&) {
     return false;
   }

@@ -15,7 +15,8 @@ PointCloud read_pcd(std::string_view bytes);
 PointCloud read_ply_points(std::string_view bytes);
 PointCloud read_point_table(std::string_view bytes);
 
-/// Whether a PLY file has vertices and no faces, as its header says. False if it has no header.
+/// Whether a PLY file has vertices and no faces or strips of them, as its header says. False if it
+/// has no header.
 /// @param beginning of the file, with the header
 bool has_ply_points_alone(std::string_view beginning);
 

@@ -26,7 +26,7 @@ std::span<const std::string_view> point_cloud_file_extensions();
 bool has_point_cloud_extension(const std::filesystem::path& path);
 
 /// Whether a file is to be read as a point cloud: by its ending, or because it is a PLY file whose
-/// header has vertices and no faces.
+/// header has vertices and no faces or strips of them.
 /// @throws IoError if a PLY file is missing or unreadable
 bool is_point_cloud_file(const std::filesystem::path& path);
 

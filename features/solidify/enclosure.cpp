@@ -19,18 +19,10 @@ namespace {
 constexpr double margin = 0.25;
 constexpr int samples = 1000;
 
-/// What was found at the points of one part.
-struct PartCount {
-  int all = 0;
-  int bounding = 0;
-
-  double share() const { return all > 0 ? static_cast<double>(bounding) / all : 1.0; }
-};
-
 struct SurfacePoint {
   Eigen::Vector3d point;
   Eigen::Vector3d normal;  // unit vector
-  std::size_t face;
+  std::uint32_t face;
 };
 
 // Points at equal steps of area, the same for the same mesh; where in the face a low-discrepancy
@@ -46,7 +38,7 @@ std::vector<SurfacePoint> spread_points(const TriangleMesh& mesh) {
     area_up_to.push_back(area += area_normal(triangle).norm());
   }
   std::vector<SurfacePoint> points;
-  std::size_t face = 0;
+  std::uint32_t face = 0;
   for (int i = 0; i < samples; ++i) {
     const double target = (i + 0.5) / samples * area;
     while (face + 1 < area_up_to.size() && area_up_to[face] < target) ++face;
@@ -70,22 +62,31 @@ bool is_bounding(const WindingNumber& winding_number, const Eigen::Vector3d& poi
 
 }  // namespace
 
-Enclosure measure_enclosure(const TriangleMesh& mesh, const std::vector<std::uint32_t>& part_of,
-                            double depth) {
+Enclosure measure_enclosure(const TriangleMesh& mesh, double depth) {
   const TriangleTree tree(mesh);
   const WindingNumber winding_number(tree);
-  std::vector<PartCount> parts(1 + *std::ranges::max_element(part_of));
-  PartCount whole;
+  Enclosure enclosure;
   for (const auto& [point, normal, face] : spread_points(mesh)) {
-    const int bounding = is_bounding(winding_number, point, depth * normal) ? 1 : 0;
-    for (PartCount* count : {&whole, &parts[part_of[face]]}) {
-      ++count->all;
-      count->bounding += bounding;
-    }
+    enclosure.samples.push_back({face, is_bounding(winding_number, point, depth * normal)});
   }
-  Enclosure enclosure{.share = whole.share(), .part_shares = {}};
-  for (const PartCount& part : parts) enclosure.part_shares.push_back(part.share());
+  const auto bounding = std::ranges::count(enclosure.samples, true, &EnclosureSample::is_bounding);
+  enclosure.share = static_cast<double>(bounding) / samples;
   return enclosure;
+}
+
+std::vector<double> share_of_parts(const Enclosure& enclosure,
+                                   const std::vector<std::uint32_t>& part_of, std::uint32_t parts) {
+  std::vector<int> all(parts, 0);
+  std::vector<int> bounding(parts, 0);
+  for (const auto& [face, is_bounding] : enclosure.samples) {
+    ++all[part_of[face]];
+    bounding[part_of[face]] += is_bounding ? 1 : 0;
+  }
+  std::vector<double> shares(parts, enclosure.share);
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    if (all[part] > 0) shares[part] = static_cast<double>(bounding[part]) / all[part];
+  }
+  return shares;
 }
 
 }  // namespace mdbd

@@ -50,18 +50,28 @@ std::vector<char> find_inverted(const TriangleMesh& mesh, const FacePatches& pat
   return is_inverted;
 }
 
-void turn_patch(TriangleMesh& mesh, const FacePatches& patches, std::uint32_t patch) {
+/// The patches that are inverted and do not lie inside the solids, by the middle of their first
+/// faces.
+std::vector<char> find_turned(const TriangleMesh& mesh, const FacePatches& patches,
+                              const std::vector<char>& is_inverted, const WindingNumber& solids) {
+  std::vector<char> is_known(patches.count, 0);
+  std::vector<char> is_turned(patches.count, 0);
   for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-    if (patches.patch_of[face] == patch) turn(mesh.triangles[face]);
+    const std::uint32_t patch = patches.patch_of[face];
+    if (is_known[patch] != 0 || is_inverted[patch] == 0) continue;
+    is_known[patch] = 1;
+    const auto& [a, b, c] = mesh.triangles[face];
+    const Eigen::Vector3d middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
+    is_turned[patch] = solids(middle) > 0.5 ? 0 : 1;
   }
+  return is_turned;
 }
 
-// Whether a patch lies inside the solids.
-bool is_inside(const TriangleMesh& mesh, const FacePatches& patches, std::uint32_t patch,
-               const WindingNumber& solids) {
-  const auto member = std::ranges::find(patches.patch_of, patch) - patches.patch_of.begin();
-  const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(member)];
-  return solids((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0) > 0.5;
+void turn_patches(TriangleMesh& mesh, const FacePatches& patches,
+                  const std::vector<char>& is_turned) {
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    if (is_turned[patches.patch_of[face]] != 0) turn(mesh.triangles[face]);
+  }
 }
 
 /// Turns the patches of negative volume that lie in none of the others.
@@ -77,11 +87,7 @@ void turn_inverted(TriangleMesh& mesh, const FacePatches& patches,
     return;
   }
   const TriangleTree tree(solids);
-  const WindingNumber winding_number(tree);
-  for (std::uint32_t patch = 0; patch < patches.count; ++patch) {
-    if (is_inverted[patch] == 0 || is_inside(mesh, patches, patch, winding_number)) continue;
-    turn_patch(mesh, patches, patch);
-  }
+  turn_patches(mesh, patches, find_turned(mesh, patches, is_inverted, WindingNumber(tree)));
 }
 
 }  // namespace

@@ -59,7 +59,6 @@ TriangleMesh used_part(const TriangleMesh& mesh, std::vector<Triangle> triangles
 /// What is known of a surface before anything is done to it.
 struct Examination {
   double scale = 0.0;  ///< R
-  FacePatches patches;
   Enclosure enclosure;
 };
 
@@ -70,16 +69,18 @@ Examination examine(const TriangleMesh& mesh, bool is_closed, double minimum_rad
   const double depth = plate_thickness * minimum_radius * enclosing.radius;
   // The volume of a plate is its area, both sides, times the radius of its largest balls.
   if (is_closed && mean_depth(mesh, enclosing.center) >= depth) return result;
-  result.patches = find_patches(mesh, {mesh, FaceNeighbours::Junctions::flattest});
-  result.enclosure = measure_enclosure(mesh, result.patches.patch_of, depth);
+  result.enclosure = measure_enclosure(mesh, depth);
   return result;
 }
 
 TriangleMesh thicken_sheets(const TriangleMesh& mesh, const Examination& examination) {
+  const FacePatches patches = find_patches(mesh, {mesh, FaceNeighbours::Junctions::flattest});
+  const std::vector<double> shares =
+      share_of_parts(examination.enclosure, patches.patch_of, patches.count);
   std::vector<Triangle> solids;
   std::vector<Triangle> sheets;
   for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-    const double share = examination.enclosure.part_shares[examination.patches.patch_of[face]];
+    const double share = shares[patches.patch_of[face]];
     (share < least_enclosing_share ? sheets : solids).push_back(mesh.triangles[face]);
   }
   TriangleMesh result = used_part(mesh, std::move(solids));

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <new>
+#include <stdexcept>
 #include <thread>
 
 #include <catch2/catch.hpp>
@@ -27,6 +28,15 @@ TEST_CASE(
                   IoError);
   CHECK_THROWS_AS(compute_isolated("a.off", {}, []() -> std::string { throw InvalidInput("bad"); }),
                   InvalidInput);
+}
+
+TEST_CASE("a failure that nobody foresaw names the file") {
+  CHECK_THROWS_WITH(
+      compute_isolated("a.off", {}, []() -> std::string { throw std::runtime_error("odd"); }),
+      "a.off: unexpected failure: odd");
+  CHECK_THROWS_AS(
+      compute_isolated("a.off", {}, []() -> std::string { throw std::runtime_error("odd"); }),
+      InvalidInput);
 }
 
 TEST_CASE("a crash, a hang and a memory bomb become exceptions with the reason") {

@@ -6,11 +6,14 @@
 #include <fstream>
 #include <map>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include "features/core/errors.h"
 #include "tests/support/temporary_directory.h"
 
 using namespace mdbd;
@@ -43,6 +46,29 @@ std::map<std::size_t, ProcessOutcome> run_all(std::size_t processes, const Proce
 
 ProcessOutcome run_one(const ProcessWork& work, const ProcessLimits& limits = {}) {
   return run_all(1, limits, {work}).at(0);
+}
+
+void limit(int resource, rlim_t value) {
+  const rlimit limits{.rlim_cur = value, .rlim_max = value};
+  setrlimit(resource, &limits);
+}
+
+/// For the rest of this process; root is not limited, so it becomes another user.
+void forbid_processes() {
+  limit(RLIMIT_NPROC, 0);
+  if (geteuid() == 0 && setuid(65534) != 0) _exit(1);
+}
+
+std::string failure_of_start() {
+  ProcessPool pool(1, {});
+  try {
+    pool.start(0, [](const SendOutput&) {});
+  } catch (const IoError&) {
+    return "a fault of the file; ";
+  } catch (const std::system_error& error) {
+    return std::string(error.what()) + "; ";
+  }
+  return "started; ";
 }
 
 }  // namespace
@@ -156,6 +182,19 @@ TEST_CASE("a job has no files of the program") {
   });
   std::fclose(file);
   CHECK(outcome.output == "closed");
+}
+
+TEST_CASE("a system that gives no process or pipe is no fault of a file, and nothing stays open") {
+  const ProcessOutcome outcome = run_one([](const SendOutput& send) {
+    forbid_processes();
+    send(failure_of_start());
+    send(std::to_string(dup(STDIN_FILENO)));  // the lowest that is free
+    limit(RLIMIT_NOFILE, 5);
+    send(failure_of_start());
+  });
+  CHECK(outcome.output ==
+        "cannot start a process: Resource temporarily unavailable; 4"
+        "cannot create a pipe: Too many open files; ");
 }
 
 TEST_CASE("a pool that ends takes its jobs with it") {

@@ -12,17 +12,6 @@ using namespace mdbd::test;
 
 namespace {
 
-void add_cube(TriangleMesh& mesh, const Eigen::Vector3d& origin, double size, bool is_inverted) {
-  const auto start = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Eigen::Vector3d& vertex : make_cube().vertices) {
-    mesh.vertices.push_back(origin + size * vertex);
-  }
-  for (auto [a, b, c] : make_cube().triangles) {
-    if (is_inverted) std::swap(b, c);
-    mesh.triangles.push_back({a + start, b + start, c + start});
-  }
-}
-
 std::vector<Ball> balls_of(const TriangleMesh& mesh, int count = 2) {
   const Recipe recipe{.balls = count, .radius_tolerance = 1e-2};
   return decompose_shape(make_mesh_shape(mesh, recipe), recipe).balls;

@@ -125,6 +125,10 @@ TEST_CASE("A PLY file is a cloud if it has no faces") {
   CHECK_FALSE(is_point_cloud_file(directory.write("b.ply", to_ply_text(make_cube()))));
   CHECK_FALSE(is_point_cloud_file(directory.write("c.ply", "ply\nformat ascii 1.0\n")));
   CHECK_FALSE(is_point_cloud_file(directory.write("d.off", "")));
+  std::string strips = to_ply(example());
+  strips.insert(strips.find("end_header"),
+                "element tristrips 1\nproperty list int int vertex_indices\n");
+  CHECK_FALSE(is_point_cloud_file(directory.write("f.ply", strips + "3 0 1 2\n")));
   CHECK(is_point_cloud_file(directory.write("e.PCD", "")));
   CHECK_THROWS_AS(is_point_cloud_file(directory / "missing.ply"), IoError);
 }

@@ -1,5 +1,8 @@
 #include "features/solidify/orient_shells.h"
 
+#include <chrono>
+#include <utility>
+
 #include <catch2/catch.hpp>
 
 #include "features/solidify/face_neighbours.h"
@@ -10,15 +13,15 @@ using namespace mdbd::test;
 
 namespace {
 
-void add_cube(TriangleMesh& mesh, const Eigen::Vector3d& origin, double size, bool is_inverted) {
+void add_tetrahedron(TriangleMesh& mesh, const Eigen::Vector3d& origin, bool is_inverted) {
   const auto start = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Eigen::Vector3d& vertex : make_cube().vertices) {
-    mesh.vertices.push_back(origin + size * vertex);
+  mesh.vertices.push_back(origin);
+  for (int axis = 0; axis < 3; ++axis) {
+    mesh.vertices.push_back(origin + Eigen::Vector3d::Unit(axis));
   }
-  for (auto triangle : make_cube().triangles) {
-    if (is_inverted) turn(triangle);
-    for (std::uint32_t& corner : triangle) corner += start;
-    mesh.triangles.push_back(triangle);
+  for (auto [a, b, c] : {Triangle{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}) {
+    if (is_inverted) std::swap(b, c);
+    mesh.triangles.push_back({a + start, b + start, c + start});
   }
 }
 
@@ -50,4 +53,16 @@ TEST_CASE("an inverted shell beside others is turned") {
   add_cube(mesh, {3, 0, 0}, 1.0, true);
   CHECK(orient_shells(mesh) == 12);
   CHECK(six_volumes(mesh) == Approx(12.0));
+}
+
+TEST_CASE("of a great many shells each inverted one is turned, soon") {
+  TriangleMesh mesh;
+  constexpr std::uint32_t across = 300;
+  for (std::uint32_t i = 0; i < across * across; ++i) {
+    add_tetrahedron(mesh, {2.0 * (i % across), 2.0 * (i / across), 0.0}, i % 2 == 1);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(orient_shells(mesh) == across * across / 2 * 4);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+  CHECK(six_volumes(mesh) == Approx(across * across));
 }

@@ -84,3 +84,15 @@ TEST_CASE("the solid parts of a sheet model stay as they are") {
   CHECK(result.thickness > 0.0);
   CHECK(six_volumes(result.mesh) / 6.0 == Approx(0.008 + 4 * result.thickness));
 }
+
+TEST_CASE("every part of a sheet model is thickened, however many there are") {
+  TriangleMesh mesh;
+  constexpr int across = 55;
+  for (int i = 0; i < across * across; ++i) {
+    const Eigen::Vector3d origin = Eigen::Vector3i(i % across, i / across, 0).cast<double>();
+    add_parallelogram(mesh, origin, {0.5, 0, 0}, {0, 0.5, 0});
+  }
+  const SolidifiedMesh result = solidify_mesh(mesh, false, minimum_radius);
+  REQUIRE(result.thickness > 0.0);
+  CHECK(six_volumes(result.mesh) / 6.0 == Approx(across * across * 0.25 * result.thickness));
+}

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -17,6 +18,20 @@ inline TriangleMesh make_cube() {
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return mesh;
+}
+
+/// Adds a cube [0, size]^3 at `origin`, its vertices shared with nothing.
+inline void add_cube(TriangleMesh& mesh, const Eigen::Vector3d& origin, double size,
+                     bool is_inverted) {
+  const TriangleMesh cube = make_cube();
+  const auto start = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Eigen::Vector3d& vertex : cube.vertices) {
+    mesh.vertices.push_back(origin + size * vertex);
+  }
+  for (auto [a, b, c] : cube.triangles) {
+    if (is_inverted) std::swap(b, c);
+    mesh.triangles.push_back({a + start, b + start, c + start});
+  }
 }
 
 /// A torus around the z axis with 2 * around * across triangles, outward. Its coordinates are exact
