@@ -1,150 +1,18 @@
 #include "features/shape.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
+#include "features/cloud_shape.h"
 #include "features/core/errors.h"
 #include "features/decomposition/decompose.h"
-#include "features/denoise/denoise_mesh.h"
-#include "features/distance/mesh_distance_field.h"
-#include "features/distance/point_cloud_distance_field.h"
-#include "features/point_cloud/oriented_cloud.h"
-#include "features/shape_io/read_mesh.h"
+#include "features/mesh_shape.h"
 #include "features/shape_io/read_point_cloud.h"
-#include "features/solidify/orient_shells.h"
-#include "features/solidify/solidify_mesh.h"
 
 namespace mdbd {
-namespace {
-
-// A ball of less than that may lie on the boundary between samples, and not inside.
-constexpr double least_radius_in_spacings = 1.0;
-
-/// A mesh that is ready to be measured, with what was done to it.
-struct PreparedMesh {
-  TriangleMesh mesh;
-  bool is_closed = false;
-  std::uint64_t faces_turned = 0;
-  double noise = 0.0;
-  double denoise_strength = 0.0;
-  double enclosing_share = 1.0;
-  double thickness = 0.0;  // of sheets that were solidified
-};
-
-// Where neighbours disagree on the outside, the sign changes away from the surface, too.
-bool is_closed(const MeshStatistics& statistics) {
-  return statistics.watertight && statistics.orientation != Orientation::mixed;
-}
-
-void orient(PreparedMesh& prepared, const MeshStatistics& statistics) {
-  prepared.is_closed = is_closed(statistics);
-  if (!statistics.watertight) return;
-  if (prepared.is_closed && statistics.components == 1) return;
-  prepared.faces_turned = orient_shells(prepared.mesh);
-  // The statistics know of faces without area that the mesh no longer has.
-  if (prepared.faces_turned == 0 && statistics.faces_degenerate == 0) return;
-  prepared.is_closed = is_closed(measure_statistics(prepared.mesh));
-}
-
-void denoise(PreparedMesh& prepared, const Recipe& recipe) {
-  if (recipe.denoise == "off") return;
-  DenoisedMesh denoised = denoise_mesh(std::move(prepared.mesh));
-  prepared.mesh = std::move(denoised.mesh);
-  prepared.noise = denoised.noise;
-  prepared.denoise_strength = denoised.strength;
-}
-
-void solidify(PreparedMesh& prepared, const Recipe& recipe) {
-  if (recipe.solidify == "off") {
-    prepared.enclosing_share =
-        measure_enclosing_share(prepared.mesh, prepared.is_closed, recipe.minimum_radius);
-    if (prepared.enclosing_share >= least_enclosing_share) return;
-    throw InvalidInput(fmt::format(
-        "the surface encloses nothing: only {:.0f} % of it has an inside (--solidify auto gives "
-        "such sheets a thickness)",
-        std::floor(100.0 * prepared.enclosing_share)));
-  }
-  SolidifiedMesh solid =
-      solidify_mesh(std::move(prepared.mesh), prepared.is_closed, recipe.minimum_radius);
-  prepared.mesh = std::move(solid.mesh);
-  prepared.enclosing_share = solid.enclosing_share;
-  prepared.thickness = solid.thickness;
-  if (solid.thickness > 0) prepared.is_closed = is_closed(measure_statistics(prepared.mesh));
-}
-
-PreparedMesh prepare(TriangleMesh mesh, const MeshStatistics& statistics, const Recipe& recipe) {
-  PreparedMesh prepared{.mesh = std::move(mesh)};
-  orient(prepared, statistics);
-  denoise(prepared, recipe);
-  solidify(prepared, recipe);
-  return prepared;
-}
-
-/// The record of a mesh with what was done to it.
-std::string describe_preparation(const MeshStatistics& statistics, const PreparedMesh& prepared) {
-  auto record = nlohmann::ordered_json::parse(to_json(statistics));
-  record["faces_turned"] = prepared.faces_turned;
-  record["noise"] = prepared.noise;
-  record["denoise_filter"] = prepared.noise > 0.0 ? "umbrella" : "none";
-  record["denoise_strength"] = prepared.denoise_strength;
-  record["enclosing_share"] = prepared.enclosing_share;
-  record["solidified"] = prepared.thickness > 0.0;
-  record["sheet_thickness"] = prepared.thickness;
-  return record.dump();
-}
-
-Shape to_shape(MeshFile file, const Recipe& recipe) {
-  const PreparedMesh prepared = prepare(std::move(file.mesh), file.statistics, recipe);
-  return {.format = file.format,
-          .representation = "mesh",
-          .statistics = describe_preparation(file.statistics, prepared),
-          .field = std::make_unique<MeshDistanceField>(prepared.mesh, prepared.is_closed)};
-}
-
-/// The record of a cloud with what was made of it.
-std::string describe_cloud(const PointCloudFile& file, const OrientedCloud& oriented) {
-  const nlohmann::ordered_json record = {
-      {"points", oriented.points.size()},
-      {"points_not_finite", file.points_not_finite},
-      {"points_duplicate", file.points_duplicate},
-      {"points_outlier", oriented.outliers},
-      {"normals_given", file.cloud.has_normals()},
-      {"inside", "winding number"},
-      {"orientation", oriented.orientation},
-      {"spacing", oriented.spacing},
-      {"least_radius", least_radius_in_spacings * oriented.spacing}};
-  return record.dump();
-}
-
-Shape to_shape(const PointCloudFile& file) {
-  const OrientedCloud oriented = orient_cloud(file.cloud);
-  return {.format = file.format,
-          .representation = "point cloud",
-          .statistics = describe_cloud(file, oriented),
-          .field = std::make_unique<PointCloudDistanceField>(oriented),
-          .least_radius = least_radius_in_spacings * oriented.spacing};
-}
-
-}  // namespace
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
-  if (is_point_cloud_file(path)) return to_shape(read_point_cloud(path));
-  return to_shape(read_mesh(path), recipe);
-}
-
-Shape make_mesh_shape(const TriangleMesh& mesh, const Recipe& recipe) {
-  return to_shape(make_mesh(mesh), recipe);
-}
-
-Shape make_cloud_shape(const PointCloud& cloud) { return to_shape(clean_point_cloud(cloud)); }
-
-TriangleMesh prepare_surface(TriangleMesh mesh, const Recipe& recipe) {
-  const MeshStatistics statistics = measure_statistics(mesh);
-  return prepare(std::move(mesh), statistics, recipe).mesh;
+  if (is_point_cloud_file(path)) return load_cloud_shape(path);
+  return load_mesh_shape(path, recipe);
 }
 
 double minimum_radius(const Shape& shape, const Recipe& recipe) {

@@ -7,6 +7,7 @@
 
 #include "features/core/errors.h"
 #include "features/core/random.h"
+#include "features/mesh_shape.h"
 #include "features/shape.h"
 #include "features/shape_io/read_mesh.h"
 

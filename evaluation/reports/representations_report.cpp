@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "evaluation/reports/varied_models.h"
+#include "features/cloud_shape.h"
 #include "perturbation/surface_sampling.h"
 
 using nlohmann::ordered_json;

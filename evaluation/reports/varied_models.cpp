@@ -7,6 +7,7 @@
 
 #include "evaluation/reports/class_bands.h"
 #include "evaluation/signature_terms.h"
+#include "features/mesh_shape.h"
 
 using nlohmann::ordered_json;
 

@@ -1,5 +1,6 @@
 #include "features/shape_io/shape_files.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,19 @@ bool may_be_another_text(const std::filesystem::path& path) {
 
 std::span<const std::string_view> shape_file_extensions() {
   static const std::vector<std::string_view> all = [] {
-    std::vector<std::string_view> extensions(mesh_file_extensions().begin(),
-                                             mesh_file_extensions().end());
-    const auto clouds = point_cloud_file_extensions();
-    extensions.insert(extensions.end(), clouds.begin(), clouds.end());
+    std::vector<std::string_view> extensions;
+    for (const auto of_kind : {mesh_file_extensions(), point_cloud_file_extensions()}) {
+      extensions.insert(extensions.end(), of_kind.begin(), of_kind.end());
+    }
     return extensions;
   }();
   return all;
 }
 
 bool has_shape_extension(const std::filesystem::path& path) {
-  return has_mesh_extension(path) || has_point_cloud_extension(path);
+  return std::ranges::any_of(shape_file_extensions(), [&](std::string_view extension) {
+    return equals_ignoring_case(path.extension().string(), extension);
+  });
 }
 
 bool is_shape_file(const std::filesystem::path& path) {

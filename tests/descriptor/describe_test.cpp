@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "features/core/errors.h"
+#include "features/mesh_shape.h"
 #include "perturbation/noise.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "features/describe.h"
+#include "features/mesh_shape.h"
 #include "tests/support/sample_meshes.h"
 
 using namespace mdbd;

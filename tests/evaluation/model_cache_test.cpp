@@ -8,6 +8,7 @@
 #include "evaluation/evaluation_input.h"
 #include "features/core/errors.h"
 #include "features/descriptor/similarity_distance.h"
+#include "features/mesh_shape.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_directory.h"

@@ -1,3 +1,5 @@
+#include "features/cloud_shape.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,6 +8,7 @@
 
 #include "features/core/errors.h"
 #include "features/describe.h"
+#include "features/mesh_shape.h"
 #include "perturbation/surface_sampling.h"
 #include "tests/support/cloud_writers.h"
 #include "tests/support/mesh_writers.h"
