@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "features/core/errors.h"
 
 namespace mdbd {
 namespace {
@@ -48,6 +51,35 @@ Json json_recipe(const Recipe& recipe) {
   return entries;
 }
 
+// The lightness of discs in a picture, per cent.
+constexpr double lightest = 75.0;
+constexpr double darkest = 25.0;
+
+std::pair<Eigen::Vector2d, Eigen::Vector2d> bounding_rectangle(const PlanarDomain& domain) {
+  Eigen::Vector2d lowest = domain.front().front();
+  Eigen::Vector2d highest = lowest;
+  for (const Outline& outline : domain) {
+    for (const Eigen::Vector2d& point : outline) {
+      lowest = lowest.cwiseMin(point);
+      highest = highest.cwiseMax(point);
+    }
+  }
+  return {lowest, highest};
+}
+
+std::string path_data(const PlanarDomain& domain) {
+  std::string data;
+  for (const Outline& outline : domain) {
+    char command = 'M';
+    for (const Eigen::Vector2d& point : outline) {
+      fmt::format_to(std::back_inserter(data), "{}{} {}", command, point.x(), point.y());
+      command = 'L';
+    }
+    data += 'Z';
+  }
+  return data;
+}
+
 }  // namespace
 
 std::optional<BallFormat> ball_format_of(const std::filesystem::path& path) {
@@ -56,6 +88,7 @@ std::optional<BallFormat> ball_format_of(const std::filesystem::path& path) {
   if (ending == ".csv") return BallFormat::csv;
   if (ending == ".xyzr") return BallFormat::xyzr;
   if (ending == ".json") return BallFormat::json;
+  if (ending == ".svg") return BallFormat::svg;
   return std::nullopt;
 }
 
@@ -89,12 +122,39 @@ std::string format_json(const DecomposedModel& model) {
   return document.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+std::string format_svg(const DecomposedModel& model) {
+  if (model.outlines.empty()) {
+    throw InvalidInput("only domains in the plane are drawn as SVG, and this is a solid");
+  }
+  const auto [lowest, highest] = bounding_rectangle(model.outlines);
+  const Eigen::Vector2d size = highest - lowest;
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.02 * size.maxCoeff());
+  const Eigen::Vector2d corner = lowest - margin;
+  const Eigen::Vector2d extent = size + 2.0 * margin;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n"
+      "<path fill=\"#eee\" stroke=\"#000\" stroke-width=\"{}\" d=\"{}\"/>\n",
+      corner.x(), corner.y(), extent.x(), extent.y(), 0.001 * extent.maxCoeff(),
+      path_data(model.outlines));
+  const std::vector<Ball>& discs = model.decomposition.balls;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(discs.size());
+    fmt::format_to(std::back_inserter(text),
+                   "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"hsl(210,60%,{:.0f}%)\"/>\n",
+                   discs[i].center.x(), discs[i].center.y(), discs[i].radius,
+                   lightest + (darkest - lightest) * share);
+  }
+  return text + "</svg>\n";
+}
+
 std::string format_balls(const DecomposedModel& model, BallFormat format) {
   switch (format) {
     case BallFormat::csv:
       return format_csv(model.decomposition);
     case BallFormat::xyzr:
       return format_xyzr(model.decomposition);
+    case BallFormat::svg:
+      return format_svg(model);
     case BallFormat::json:
       break;
   }

@@ -12,7 +12,8 @@ namespace mdbd {
 enum class BallFormat {
   csv,   ///< a header line x,y,z,r and a line a ball
   xyzr,  ///< a line a ball, separated by spaces, without a header
-  json   ///< with the evidence: see format_json
+  json,  ///< with the evidence: see format_json
+  svg    ///< a picture of a domain in the plane: see format_svg
 };
 
 /// The format that the ending of a path stands for, in upper or lower case; none if it is unknown.
@@ -27,6 +28,12 @@ std::string format_xyzr(const BallDecomposition& decomposition);
 /// "recipe"}. Bytes of the path that are no UTF-8 become U+FFFD.
 std::string format_json(const DecomposedModel& model);
 
+/// A picture: the outlines of a domain in the plane and its discs, in the coordinates of the file,
+/// y down as SVG has it. The darker a disc, the later it was placed.
+/// @throws InvalidInput if the model is no planar domain
+std::string format_svg(const DecomposedModel& model);
+
+/// @throws InvalidInput if the model cannot be written in the format
 std::string format_balls(const DecomposedModel& model, BallFormat format);
 
 }  // namespace mdbd

@@ -16,6 +16,7 @@ DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& 
   return {.path = path.string(),
           .representation = shape.representation,
           .statistics = shape.statistics,
+          .outlines = shape.outlines,
           .recipe = recipe,
           .minimum_radius = minimum_radius(shape, recipe),
           .decomposition = std::move(decomposition),

@@ -7,14 +7,16 @@
 #include "features/decomposition/ball_decomposition.h"
 #include "features/decomposition/certificate.h"
 #include "features/descriptor/contact_graph.h"
+#include "features/planar/planar_domain.h"
 
 namespace mdbd {
 
 /// The decomposition of a file with its evidence.
 struct DecomposedModel {
   std::string path;
-  std::string representation;  ///< "mesh" or "point cloud"
+  std::string representation;  ///< "mesh", "point cloud" or "planar domain"
   std::string statistics;      ///< a JSON object: what was read and what was done to it
+  PlanarDomain outlines;       ///< of a domain in the plane; else empty
   Recipe recipe;
   double minimum_radius;  ///< of a ball, relative to R: see minimum_radius() of a shape
   BallDecomposition decomposition;

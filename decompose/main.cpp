@@ -14,6 +14,7 @@ constexpr const char* examples = R"(Examples:
   mdbd-decompose part.stl                      x,y,z,r of 500 balls on standard output
   mdbd-decompose part.stl -o part.csv          into a file
   mdbd-decompose part.stl -o part.json         with contacts and certificate
+  mdbd-decompose plate.svg -o discs.svg        a drawing of a domain in the plane and its discs
   mdbd-decompose part.stl --balls 50 --tolerance 0.01
 
 Coordinates and radii are in the units of the file.
@@ -32,7 +33,8 @@ mdbd::BallFormat require_format(const std::filesystem::path& output) {
   const auto format = mdbd::ball_format_of(output);
   if (!format) {
     throw CLI::ValidationError(
-        "--output", fmt::format("{}: the ending must be .csv, .xyzr or .json", output.string()));
+        "--output",
+        fmt::format("{}: the ending must be .csv, .xyzr, .json or .svg", output.string()));
   }
   return *format;
 }
@@ -40,7 +42,8 @@ mdbd::BallFormat require_format(const std::filesystem::path& output) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Decomposes a solid into its largest disjoint balls.", "mdbd-decompose");
+  CLI::App app("Decomposes a solid, or a domain in the plane, into its largest disjoint balls.",
+               "mdbd-decompose");
   app.footer(examples);
   std::filesystem::path model;
   std::filesystem::path output;

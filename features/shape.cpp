@@ -6,12 +6,15 @@
 #include "features/core/errors.h"
 #include "features/decomposition/decompose.h"
 #include "features/mesh_shape.h"
+#include "features/planar_shape.h"
+#include "features/shape_io/read_planar_domain.h"
 #include "features/shape_io/read_point_cloud.h"
 
 namespace mdbd {
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (is_point_cloud_file(path)) return load_cloud_shape(path);
+  if (has_planar_extension(path)) return load_planar_shape(path);
   return load_mesh_shape(path, recipe);
 }
 

@@ -7,6 +7,7 @@
 #include "features/core/recipe.h"
 #include "features/decomposition/ball_decomposition.h"
 #include "features/distance/distance_field.h"
+#include "features/planar/planar_domain.h"
 
 namespace mdbd {
 
@@ -14,11 +15,12 @@ namespace mdbd {
 /// cloud_shape.h, …); behind `field` nothing knows which it was.
 struct Shape {
   std::string format;          ///< of the file: "off", "pcd", …
-  std::string representation;  ///< "mesh" or "point cloud"
+  std::string representation;  ///< "mesh", "point cloud" or "planar domain"
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   std::unique_ptr<const DistanceField> field;
   /// The representation says nothing of smaller balls, which are not placed; object units.
   double least_radius = 0.0;
+  PlanarDomain outlines = {};  ///< of a domain in the plane; else empty
 };
 
 /// Reads a shape and prepares it as the recipe says. The one place where a representation is

@@ -131,7 +131,7 @@ void Cell::measure(RemainingSpace& space, double enough) {
 }
 
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space, double enough) {
-  const Eigen::Vector3d point = probe_point();
+  const Eigen::Vector3d point = space.in_domain(probe_point());
   ++probes_;
   DistanceQuery query = make_query(point);
   if (space.is_closed() && std::abs(distance_) > (point - center_).norm()) query.side = side_;
@@ -182,11 +182,15 @@ void Cell::add_witness(const Witness& witness) {
   witnesses_[replaced] = witness;
 }
 
-Cell Cell::child(int octant) const {
+Cell Cell::child(int octant) const { return divided(octant, 3); }
+
+Cell Cell::planar_child(int quadrant) const { return divided(quadrant, 2); }
+
+Cell Cell::divided(int part, int axes) const {
   Cell child = *this;
   child.half_size_ = 0.5 * half_size_;
-  for (int axis = 0; axis < 3; ++axis) {
-    child.center_[axis] += (octant >> axis & 1) != 0 ? child.half_size_ : -child.half_size_;
+  for (int axis = 0; axis < axes; ++axis) {
+    child.center_[axis] += (part >> axis & 1) != 0 ? child.half_size_ : -child.half_size_;
   }
   child.is_measured_ = false;
   child.probes_ = 0;

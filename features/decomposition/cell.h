@@ -58,6 +58,10 @@ class Cell {
   /// One of the eight children; they inherit bound and witnesses. @pre 0 <= octant < 8
   Cell child(int octant) const;
 
+  /// One of the four children that cover what the cell has of the plane through its centre.
+  /// @pre 0 <= quadrant < 4
+  Cell planar_child(int quadrant) const;
+
   /// The largest distance of a point of the cell from another point.
   double reach(const Eigen::Vector3d& from) const;
 
@@ -73,6 +77,7 @@ class Cell {
   double half_diagonal() const;
   Probe next_probe() const;
   Eigen::Vector3d probe_point() const;
+  Cell divided(int part, int axes) const;
   DistanceQuery make_query(const Eigen::Vector3d& point) const;
   void add_witness(const Witness& witness);
   bool find_nearby_balls(const RemainingSpace& space);

@@ -47,7 +47,7 @@ class Search {
         candidates_(space.balls(), scale_) {
     const double weight = preference_weight(options);
     rank_tolerance_ = (options.radius_tolerance - weight) / (1.0 + weight);
-    keep(add({Cell(enclosing.center, scale_, scale_ * (1.0 + weight))}));
+    keep(add({Cell(space.in_domain(enclosing.center), scale_, scale_ * (1.0 + weight))}));
   }
 
   // Places the next ball. @returns false if there is none
@@ -194,6 +194,20 @@ class Search {
   void divide(std::uint32_t index) {
     const Node parent = nodes_[index];
     nodes_.remove(index);
+    if (space_.is_planar()) {
+      divide_planar(parent);
+    } else {
+      divide_solid(parent);
+    }
+  }
+
+  void divide_planar(const Node& parent) {
+    for (int quadrant = 0; quadrant < 4; ++quadrant) {
+      keep(add({parent.cell.planar_child(quadrant), parent.candidate}));
+    }
+  }
+
+  void divide_solid(const Node& parent) {
     const OctantBounds bounds(parent.cell.witnesses(space_), parent.cell.center(),
                               parent.cell.half_size());
     for (int octant = 0; octant < 8; ++octant) {

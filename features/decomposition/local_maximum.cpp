@@ -29,7 +29,7 @@ class Ascent {
       if (promised.value - rank() <= precision_) promised = maximise_minimum(models(0.0), step_);
       const double gain = promised.value - rank();
       if (gain <= precision_) break;
-      try_point(x_ + promised.point, gain);
+      try_point(space_.in_domain(x_ + promised.point), gain);
     }
     return {{x_, radius_}, rank(), basin_radius()};
   }
@@ -104,10 +104,14 @@ class Ascent {
 
   // Near the ball the witnesses that touch it bound the rank by v - strength |s| + |s|^2 / (2 v).
   double basin_radius() {
-    std::array<Eigen::Vector3d, max_min_capacity> directions;
+    std::array<Eigen::Vector3d, max_min_capacity + 2> directions;
     std::size_t count = 0;
     for (const AffineFunction& model : models(0.0)) {
       if (model.offset <= rank() * (1.0 + contact_accuracy)) directions[count++] = model.slope;
+    }
+    if (space_.is_planar()) {
+      directions[count++] = Eigen::Vector3d::UnitZ();
+      directions[count++] = -Eigen::Vector3d::UnitZ();
     }
     return 2.0 * radius_ * hold_strength({directions.data(), count});
   }

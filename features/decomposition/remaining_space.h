@@ -41,6 +41,11 @@ class RemainingSpace {
   void prefer(const Preference& preference) { preference_ = preference; }
   Eigen::Vector3d centroid() const { return field_.centroid(); }
   bool is_closed() const { return field_.is_closed(); }
+  bool is_planar() const { return field_.dimension() == 2; }
+  /// The point of the domain's plane below a point, if it has one.
+  Eigen::Vector3d in_domain(const Eigen::Vector3d& point) const {
+    return is_planar() ? Eigen::Vector3d(point.x(), point.y(), 0.0) : point;
+  }
   const BallSet& balls() const { return balls_; }
   /// @param bound no ball that is placed later is larger
   void place(const Ball& ball, double bound) { balls_.add(ball, bound); }

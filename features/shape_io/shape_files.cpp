@@ -7,6 +7,7 @@
 #include "features/core/errors.h"
 #include "features/shape_io/input_file.h"
 #include "features/shape_io/read_mesh.h"
+#include "features/shape_io/read_planar_domain.h"
 #include "features/shape_io/read_point_cloud.h"
 #include "features/shape_io/text_cursor.h"
 
@@ -25,7 +26,8 @@ bool may_be_another_text(const std::filesystem::path& path) {
 std::span<const std::string_view> shape_file_extensions() {
   static const std::vector<std::string_view> all = [] {
     std::vector<std::string_view> extensions;
-    for (const auto of_kind : {mesh_file_extensions(), point_cloud_file_extensions()}) {
+    for (const auto of_kind : {mesh_file_extensions(), point_cloud_file_extensions(),
+                               planar_file_extensions()}) {
       extensions.insert(extensions.end(), of_kind.begin(), of_kind.end());
     }
     return extensions;

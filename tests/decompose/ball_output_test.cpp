@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "features/core/errors.h"
+
 using Catch::Matchers::Contains;
 using mdbd::BallFormat;
 using mdbd::DecomposedModel;
@@ -30,6 +32,7 @@ TEST_CASE("the ending gives the format, in upper or lower case") {
   CHECK(mdbd::ball_format_of("a/b.csv") == BallFormat::csv);
   CHECK(mdbd::ball_format_of("b.XYZR") == BallFormat::xyzr);
   CHECK(mdbd::ball_format_of("b.csv.json") == BallFormat::json);
+  CHECK(mdbd::ball_format_of("b.svg") == BallFormat::svg);
   CHECK_FALSE(mdbd::ball_format_of("b.txt"));
   CHECK_FALSE(mdbd::ball_format_of("csv"));
 }
@@ -55,6 +58,19 @@ TEST_CASE("JSON holds balls, evidence and recipe") {
   CHECK(document["cost"] == nlohmann::json{{"distance_queries", 7}, {"cells", 8}});
   CHECK(document["recipe"]["radius_tolerance"] == 1e-3);
   CHECK(document["recipe"]["scaling"] == "enclosing-ball");
+}
+
+TEST_CASE("a picture holds the outlines and the discs of a domain in the plane") {
+  DecomposedModel model = example();
+  model.outlines = {{{0, 0}, {4, 0}, {4, 2}}};
+  const std::string text = format_balls(model, BallFormat::svg);
+  CHECK_THAT(text,
+             Contains("viewBox=\"-0.08 -0.08 4.16 2.16\"") && Contains("d=\"M0 0L4 0L4 2Z\""));
+  CHECK_THAT(text, Contains("<circle cx=\"1\" cy=\"0\" r=\"0.25\""));
+}
+
+TEST_CASE("a solid is not drawn") {
+  CHECK_THROWS_AS(format_balls(example(), BallFormat::svg), mdbd::InvalidInput);
 }
 
 TEST_CASE("a shortage is explained, and only a shortage") {

@@ -11,8 +11,14 @@ mdbd_cli_test(NAME decompose/json COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '
   REGEXP "^{" "\"contacts\":..0,1.," "\"certificate\":{\"containment_violation\"" "\"radius_tolerance\":0\\.01" "\"faces\":12" "}\n$")
 mdbd_cli_test(NAME decompose/nothing_beside_the_output COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 -o balls.csv && ls -A"
   REGEXP "^balls\\.csv\n$")
+mdbd_cli_test(NAME decompose/drawing
+  SETUP "echo 'POLYGON((0 0,4 0,4 4,0 4),(1 1,2 1,2 2,1 2))' > plate.wkt"
+  COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> plate.wkt --balls 3 -o discs.svg && cat discs.svg"
+  REGEXP "^<svg [^>]+>\n<path [^>]+>\n(<circle [^>]+>\n)(<circle [^>]+>\n)(<circle [^>]+>\n)</svg>\n$")
+mdbd_cli_test(NAME decompose/solid_is_not_drawn COMMAND mdbd-decompose ${cube} --balls 1 -o a.svg EXIT 1
+  REGEXP "cube\\.off: only domains in the plane are drawn")
 mdbd_cli_test(NAME decompose/unknown_ending COMMAND mdbd-decompose ${cube} -o balls.txt EXIT 2
-  REGEXP "balls\\.txt: the ending must be \\.csv, \\.xyzr or \\.json")
+  REGEXP "balls\\.txt: the ending must be \\.csv, \\.xyzr, \\.json or \\.svg")
 mdbd_cli_test(NAME decompose/unwritable COMMAND mdbd-decompose ${cube} --balls 1 -o none/balls.csv EXIT 1
   REGEXP "^mdbd-decompose: error: cannot write none/balls\\.csv: No such file")
 mdbd_cli_test(NAME decompose/file_too_large EXIT 1

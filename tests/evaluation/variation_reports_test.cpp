@@ -279,6 +279,11 @@ TEST_CASE("the representations report queries the meshes with clouds of themselv
     for (const ordered_json& model : change["models"]) CHECK(model.contains("points"));
   }
   CHECK(data["signatures"].size() == 3);
+  REQUIRE(data["mixed"].size() == 3);
+  // The three boxes are like one another, and so are the two tori, whatever represents them.
+  for (const ordered_json& query : data["mixed"]) {
+    CHECK(query["mdbd-fused"]["class_accuracy"] == 1.0);
+  }
   const ordered_json again = make_representations_report(bench.input(), options).data;
   CHECK(again == data);
 }

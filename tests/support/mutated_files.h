@@ -13,15 +13,23 @@
 /// Files as accidents and attackers leave them. Everything depends on the seed alone.
 namespace mdbd::test {
 
-/// A small torus as a file of each kind that a reader knows, by reader: ending and content.
+/// A small torus or a drawing as a file of each kind that a reader knows, by reader: ending and
+/// content.
 inline std::vector<std::pair<std::string, std::vector<std::string>>> sound_files() {
   const TriangleMesh mesh = make_torus(2.0, 0.5, 5, 3);
-  return {{".off", {to_off(mesh)}},
-          {".obj", {to_obj(mesh)}},
-          {".ply",
-           {to_ply_text(mesh), to_ply_binary<float>(mesh, std::endian::little),
-            to_ply_binary<double>(mesh, std::endian::big)}},
-          {".stl", {to_stl_text(mesh), to_stl_binary(mesh)}}};
+  return {
+      {".off", {to_off(mesh)}},
+      {".obj", {to_obj(mesh)}},
+      {".ply",
+       {to_ply_text(mesh), to_ply_binary<float>(mesh, std::endian::little),
+        to_ply_binary<double>(mesh, std::endian::big)}},
+      {".stl", {to_stl_text(mesh), to_stl_binary(mesh)}},
+      {".svg", {R"svg(<svg xmlns="http://www.w3.org/2000/svg"><g transform="scale(2) rotate(30)">
+              <circle r="3"/><path d="M0 0h4v3q1 2 2 0t2 0c1 1 2 2 3 3a3 2 30 0 1 1 1z"/>
+              <rect x="1mm" width="4" height="2" rx="1"/></g></svg>)svg"}},
+      {".wkt",
+       {"POLYGON((0 0,4 0,4 3,0 3,0 0),(1 1,2 1,2 2,1 2,1 1))",
+        "MULTIPOLYGON(((0 0,4 0,4 3)),((10 0,11 0,11 1,10 1)))"}}};
 }
 
 /// Changes the content of files.
