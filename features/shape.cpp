@@ -5,13 +5,16 @@
 #include "features/cloud_shape.h"
 #include "features/core/errors.h"
 #include "features/decomposition/decompose.h"
+#include "features/implicit_shape.h"
 #include "features/mesh_shape.h"
 #include "features/shape_io/read_point_cloud.h"
+#include "features/shape_io/shape_files.h"
 
 namespace mdbd {
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (is_point_cloud_file(path)) return load_cloud_shape(path);
+  if (has_extension(path, implicit_file_extensions())) return load_implicit_shape(path);
   return load_mesh_shape(path, recipe);
 }
 
