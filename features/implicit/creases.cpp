@@ -49,13 +49,11 @@ Creases::Creases(const CsgSolid& solid, double tolerance) : solid_(solid), toler
 
 std::optional<std::uint32_t> Creases::subdivide(const Vector3d& center, double half, int depth) {
   if (++cells_ > most_cells) throw InvalidInput("the solid has too many edges");
-  Cell cell{center, half, depth, {}};
+  Cell cell{.center = center, .half = half, .depth = depth, .near = {}};
   std::vector<double> distances;
   solid_.measure_surfaces(center, distances);
   if (std::abs(solid_.value(distances)) > cell.radius()) return std::nullopt;
-  for (std::uint32_t i = 0; i < distances.size(); ++i) {
-    if (std::abs(distances[i]) <= cell.radius()) cell.near.push_back(i);
-  }
+  cell.near = solid_.deciding_surfaces(distances, cell.radius());
   if (cell.near.size() < 2) return std::nullopt;
 
   Node node{.center = center, .half = half};
@@ -128,10 +126,11 @@ void Creases::add_curve(const Cell& cell, std::uint32_t first, std::uint32_t sec
   const bool is_alone = cell.near.size() == 2 && away < cell.radius();
   const bool is_boundary = solid_.is_boundary(*point, tolerance_);
   if (is_alone && !is_boundary) return;
-  creases_.push_back({{first, second}, *point, along.normalized(), 1.2 * (cell.radius() + away)});
+  creases_.push_back(
+      {{first, second}, *point, along.normalized(), 1.2 * (cell.radius() + away), is_alone});
   // Nearly tangent surfaces may meet in more than one curve.
   if (cell.depth == largest_depth && is_boundary) {
-    creases_.push_back({{first, second}, *point, along.normalized(), 0.0});
+    creases_.push_back({{first, second}, *point, along.normalized(), 0.0, true});
   }
 }
 
@@ -153,7 +152,7 @@ void Creases::add_point(const Cell& cell, const std::array<std::uint32_t, 3>& su
   }
   if (box_distance(point, cell.center, cell.half) > tolerance_) return;
   if (!solid_.is_boundary(point, tolerance_)) return;
-  creases_.push_back({{surfaces[0], surfaces[1]}, point, Vector3d::Zero(), 0.0});
+  creases_.push_back({{surfaces[0], surfaces[1]}, point, Vector3d::Zero(), 0.0, true});
 }
 
 /// A point of both surfaces, near the start.
@@ -215,6 +214,15 @@ std::optional<Vector3d> Creases::extreme_point(const Crease& crease, const Vecto
   return point;
 }
 
+/// The extreme point, if it is boundary and in the cell; beyond, it is that of another cell.
+std::optional<Vector3d> Creases::boundary_point(const Node& node, const Crease& crease,
+                                                const Vector3d& x, double direction) const {
+  const auto point = extreme_point(crease, x, direction);
+  if (!point || box_distance(*point, node.center, node.half) > tolerance_) return std::nullopt;
+  if (!crease.is_boundary && !solid_.is_boundary(*point, tolerance_)) return std::nullopt;
+  return point;
+}
+
 std::optional<Vector3d> Creases::closest(const Vector3d& x, double bound) const {
   std::optional<Vector3d> best;
   if (!root_) return best;
@@ -225,9 +233,8 @@ std::optional<Vector3d> Creases::closest(const Vector3d& x, double bound) const 
     if (distance > bound) continue;
     const Node& node = nodes_[index];
     for (std::uint32_t i = 0; i < node.crease_count; ++i) {
-      const auto point = extreme_point(creases_[node.first_crease + i], x, 1.0);
+      const auto point = boundary_point(node, creases_[node.first_crease + i], x, 1.0);
       if (!point || (*point - x).norm() >= bound) continue;
-      if (!solid_.is_boundary(*point, tolerance_)) continue;
       best = point;
       bound = (*point - x).norm();
     }
@@ -247,10 +254,8 @@ std::vector<Vector3d> Creases::farthest(const Vector3d& x, double bound) const {
   for (const Node& node : nodes_) {
     if (node.crease_count == 0 || box_reach(x, node.center, node.half) < bound) continue;
     for (std::uint32_t i = 0; i < node.crease_count; ++i) {
-      const auto point = extreme_point(creases_[node.first_crease + i], x, -1.0);
-      if (point && (*point - x).norm() > bound && solid_.is_boundary(*point, tolerance_)) {
-        points.push_back(*point);
-      }
+      const auto point = boundary_point(node, creases_[node.first_crease + i], x, -1.0);
+      if (point && (*point - x).norm() > bound) points.push_back(*point);
     }
   }
   return points;
@@ -259,7 +264,9 @@ std::vector<Vector3d> Creases::farthest(const Vector3d& x, double bound) const {
 std::vector<Vector3d> Creases::samples() const {
   std::vector<Vector3d> points;
   for (const Crease& crease : creases_) {
-    if (solid_.is_boundary(crease.point, tolerance_)) points.push_back(crease.point);
+    if (crease.is_boundary || solid_.is_boundary(crease.point, tolerance_)) {
+      points.push_back(crease.point);
+    }
   }
   return points;
 }

@@ -38,7 +38,8 @@ class Creases {
     std::array<std::uint32_t, 2> surfaces;
     Eigen::Vector3d point;
     Eigen::Vector3d tangent;
-    double reach;  ///< along the tangent, to both sides; zero for a point
+    double reach;      ///< along the tangent, to both sides; zero for a point
+    bool is_boundary;  ///< as a whole; else points of it have to be tried
   };
 
   struct Node {
@@ -68,6 +69,9 @@ class Creases {
                                          std::uint32_t second) const;
   std::optional<Eigen::Vector3d> extreme_point(const Crease& crease, const Eigen::Vector3d& x,
                                                double direction) const;
+
+  std::optional<Eigen::Vector3d> boundary_point(const Node& node, const Crease& crease,
+                                                const Eigen::Vector3d& x, double direction) const;
 
   const CsgSolid& solid_;
   double tolerance_;

@@ -43,9 +43,9 @@ CsgDistanceField::CsgDistanceField(CsgSolid solid)
       creases_(solid_, tolerance_),
       enclosing_ball_(find_enclosing_ball()) {}
 
-/// Boundary points that are locally farthest from x and farther than `bound`.
+/// Boundary points on smooth surfaces that are locally farthest from x and farther than `bound`.
 std::vector<Vector3d> CsgDistanceField::farthest(const Vector3d& x, double bound) const {
-  std::vector<Vector3d> points = creases_.farthest(x, bound);
+  std::vector<Vector3d> points;
   for (const Surface& surface : solid_.surfaces()) {
     if (surface.kind != Surface::Kind::sphere && surface.kind != Surface::Kind::torus) continue;
     const Vector3d point = surface.farthest(x);
@@ -69,7 +69,9 @@ Ball CsgDistanceField::find_enclosing_ball() const {
   if (points.empty()) throw InvalidInput("the solid is empty");
   Ball ball = mdbd::enclosing_ball(points);
   for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<Vector3d> beyond = farthest(ball.center, ball.radius + tolerance_);
+    std::vector<Vector3d> beyond = farthest(ball.center, ball.radius + tolerance_);
+    const auto on_creases = creases_.farthest(ball.center, ball.radius + tolerance_);
+    beyond.insert(beyond.end(), on_creases.begin(), on_creases.end());
     if (beyond.empty()) break;
     points.insert(points.end(), beyond.begin(), beyond.end());
     ball = mdbd::enclosing_ball(points);
@@ -114,29 +116,23 @@ DistanceSample CsgDistanceField::measure_point(const Vector3d& x,
   double distance = std::numeric_limits<double>::infinity();
   std::optional<Vector3d> closest;
   FlatRegion region;
-  for (; !order.empty(); order.pop_back()) {
+  for (; !order.empty() && order.front().first < distance; order.pop_back()) {
     std::ranges::pop_heap(order, std::greater<>());
     const auto [away, surface] = order.back();
     const Vector3d foot = solid_.surfaces()[surface].foot(x);
-    if (!solid_.is_boundary(foot, tolerance_)) continue;
-    distance = away;
-    closest = foot;
-    region = flat_region(surface, foot);
-    break;
-  }
-  if (distance > least + tolerance_) {
-    const auto crease = creases_.closest(x, distance);
-    if (crease) {
-      distance = (*crease - x).norm();
-      closest = crease;
-      region = {};
+    if (solid_.is_boundary(foot, tolerance_)) {
+      distance = away;
+      closest = foot;
+      region = flat_region(surface, foot);
+    } else if (!closest) {
+      closest = creases_.closest(x, distance);
+      if (closest) distance = (*closest - x).norm();
     }
   }
   // What is not found may be as near as the value allows.
-  if (!closest)
-    return {.distance = is_inside ? least : -least, .closest = x, .piece = {}, .flat_region = {}};
+  if (!closest) distance = least;
   return {.distance = is_inside ? distance : -distance,
-          .closest = *closest,
+          .closest = closest.value_or(x),
           .piece = {},
           .flat_region = region};
 }

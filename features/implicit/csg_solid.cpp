@@ -1,6 +1,7 @@
 #include "features/implicit/csg_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -42,15 +43,58 @@ double CsgSolid::value(const std::vector<double>& distances) const {
   return stack[0];
 }
 
-CsgSolid::Signs CsgSolid::signs_around(std::vector<double>& distances, double tolerance) const {
-  std::vector<std::size_t> near;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (std::abs(distances[i]) <= tolerance) near.push_back(i);
+std::vector<std::uint32_t> CsgSolid::deciding_surfaces(const std::vector<double>& distances,
+                                                       double reach) const {
+  // All values change by `reach` at most, so those that are less by twice as much never decide.
+  std::vector<double> values(steps_.size());
+  std::vector<bool> decides(steps_.size(), false);
+  const auto for_each_operand = [&](std::size_t i, const auto& use) {
+    for (std::size_t next = i, left = steps_[i].count; left > 0; --left) {
+      use(next - 1);
+      next = steps_[next - 1].begin;
+    }
+  };
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    if (step.kind == Kind::surface) {
+      values[i] = step.sign * distances[step.count];
+      continue;
+    }
+    const bool is_maximum = step.kind == Kind::maximum;
+    values[i] = values[i - 1];
+    for_each_operand(i, [&](std::size_t operand) {
+      values[i] =
+          is_maximum ? std::max(values[i], values[operand]) : std::min(values[i], values[operand]);
+    });
   }
-  if (near.size() > most_at_a_point) return {true, true};
+  std::vector<std::uint32_t> surfaces;
+  decides.back() = true;
+  for (std::size_t i = steps_.size(); i-- > 0;) {
+    if (!decides[i]) continue;
+    if (steps_[i].kind == Kind::surface) {
+      if (std::abs(values[i]) <= reach) surfaces.push_back(steps_[i].count);
+      continue;
+    }
+    for_each_operand(i, [&](std::size_t operand) {
+      decides[operand] = std::abs(values[operand] - values[i]) <= 2.0 * reach;
+    });
+  }
+  std::ranges::sort(surfaces);
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  return surfaces;
+}
+
+CsgSolid::Signs CsgSolid::signs_around(std::vector<double>& distances, double tolerance) const {
+  std::array<std::size_t, most_at_a_point> near;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (std::abs(distances[i]) > tolerance) continue;
+    if (count == most_at_a_point) return {true, true};
+    near[count++] = i;
+  }
   Signs signs;
-  for (std::size_t sides = 0; sides < std::size_t{1} << near.size(); ++sides) {
-    for (std::size_t i = 0; i < near.size(); ++i) {
+  for (std::size_t sides = 0; sides < std::size_t{1} << count; ++sides) {
+    for (std::size_t i = 0; i < count; ++i) {
       distances[near[i]] = (sides >> i & 1) != 0 ? tolerance : -tolerance;
     }
     (value(distances) > 0 ? signs.has_inside : signs.has_outside) = true;
@@ -59,7 +103,7 @@ CsgSolid::Signs CsgSolid::signs_around(std::vector<double>& distances, double to
 }
 
 bool CsgSolid::is_boundary(const Eigen::Vector3d& x, double tolerance) const {
-  std::vector<double> distances;
+  thread_local std::vector<double> distances;
   measure_surfaces(x, distances);
   const Signs signs = signs_around(distances, tolerance);
   return signs.has_inside && signs.has_outside;
@@ -81,7 +125,9 @@ void CsgBuilder::add(const Surface& surface, bool is_inside, const Eigen::Aligne
   }
   if (same == 0) surfaces.push_back(surface);
   const double sign = (is_inside ? 1.0 : -1.0) * (same == 0 ? 1 : same);
-  solid_.steps_.push_back({.kind = Kind::surface, .count = number, .sign = sign});
+  const auto begin = static_cast<std::uint32_t>(solid_.steps_.size());
+  begins_.push_back(begin);
+  solid_.steps_.push_back({.kind = Kind::surface, .count = number, .sign = sign, .begin = begin});
   bounds_.push_back(bounds);
   solid_.depth_ = std::max(solid_.depth_, bounds_.size());
 }
@@ -91,7 +137,11 @@ void CsgBuilder::unite(std::size_t count) { combine(Kind::maximum, count); }
 void CsgBuilder::intersect(std::size_t count) { combine(Kind::minimum, count); }
 
 void CsgBuilder::combine(Kind kind, std::size_t count) {
-  solid_.steps_.push_back({.kind = kind, .count = static_cast<std::uint32_t>(count), .sign = 1.0});
+  begins_.resize(begins_.size() - (count - 1));
+  solid_.steps_.push_back({.kind = kind,
+                           .count = static_cast<std::uint32_t>(count),
+                           .sign = 1.0,
+                           .begin = begins_.back()});
   for (; count > 1; --count) {
     const Eigen::AlignedBox3d last = bounds_.back();
     bounds_.pop_back();

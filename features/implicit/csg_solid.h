@@ -26,6 +26,7 @@ class CsgSolid {
     Kind kind = Kind::surface;
     std::uint32_t count = 0;  ///< which surface, or how many values are replaced by one
     double sign = 1.0;        ///< of the surface's distance
+    std::uint32_t begin = 0;  ///< the first step of what it takes
   };
 
   /// The number of surfaces.
@@ -40,6 +41,12 @@ class CsgSolid {
 
   /// The value that the surfaces' distances make.
   double value(const std::vector<double>& distances) const;
+
+  /// The surfaces that pass within `reach` of a point and may decide the value there, in ascending
+  /// order. The others can be forgotten in the ball of that radius.
+  /// @param distances of the surfaces at the point
+  std::vector<std::uint32_t> deciding_surfaces(const std::vector<double>& distances,
+                                               double reach) const;
 
   /// Whether the solid is on one side, and the outside on another, of the surfaces that pass a
   /// point within a tolerance. Where more than two surfaces have a line in common, it may be taken
@@ -83,6 +90,7 @@ class CsgBuilder {
 
   CsgSolid solid_;
   std::vector<Eigen::AlignedBox3d> bounds_;  // of the things on the stack
+  std::vector<std::uint32_t> begins_;        // where their steps begin
 };
 
 /// The whole space, and the box of nothing.
