@@ -9,6 +9,7 @@
 #include "features/shape_io/input_file.h"
 #include "features/shape_io/read_mesh.h"
 #include "features/shape_io/read_point_cloud.h"
+#include "features/shape_io/read_voxel_grid.h"
 #include "features/shape_io/text_cursor.h"
 
 namespace mdbd {
@@ -33,8 +34,8 @@ std::span<const std::string_view> implicit_file_extensions() { return implicit_e
 std::span<const std::string_view> shape_file_extensions() {
   static const std::vector<std::string_view> all = [] {
     std::vector<std::string_view> extensions;
-    for (const auto of_kind :
-         {mesh_file_extensions(), point_cloud_file_extensions(), implicit_file_extensions()}) {
+    for (const auto of_kind : {mesh_file_extensions(), point_cloud_file_extensions(),
+                               voxel_file_extensions(), implicit_file_extensions()}) {
       extensions.insert(extensions.end(), of_kind.begin(), of_kind.end());
     }
     return extensions;

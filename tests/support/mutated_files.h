@@ -7,8 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/cloud_writers.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"
+#include "tests/support/scene_writers.h"
+#include "tests/support/sphere_points.h"
+#include "tests/support/voxel_writers.h"
 
 /// Files as accidents and attackers leave them. Everything depends on the seed alone.
 namespace mdbd::test {
