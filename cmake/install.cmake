@@ -18,6 +18,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
 install(FILES
   ${PROJECT_BINARY_DIR}/mdbd-config.cmake
   ${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/assimp.cmake
   ${CMAKE_CURRENT_LIST_DIR}/flann.cmake
   ${CMAKE_CURRENT_LIST_DIR}/pcl.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/vtk.cmake
   DESTINATION ${package_directory})

@@ -77,8 +77,9 @@ PreparedMesh prepare(TriangleMesh mesh, const MeshStatistics& statistics, const 
 }
 
 /// The record of a mesh with what was done to it.
-std::string describe_preparation(const MeshStatistics& statistics, const PreparedMesh& prepared) {
-  auto record = nlohmann::ordered_json::parse(to_json(statistics));
+std::string describe_preparation(const MeshFile& file, const PreparedMesh& prepared) {
+  auto record = nlohmann::ordered_json::parse(to_json(file.statistics));
+  if (!file.unit.empty()) record["unit"] = file.unit;
   record["faces_turned"] = prepared.faces_turned;
   record["noise"] = prepared.noise;
   record["denoise_filter"] = prepared.noise > 0.0 ? "umbrella" : "none";
@@ -93,7 +94,7 @@ Shape to_shape(MeshFile file, const Recipe& recipe) {
   const PreparedMesh prepared = prepare(std::move(file.mesh), file.statistics, recipe);
   return {.format = file.format,
           .representation = "mesh",
-          .statistics = describe_preparation(file.statistics, prepared),
+          .statistics = describe_preparation(file, prepared),
           .field = std::make_unique<MeshDistanceField>(prepared.mesh, prepared.is_closed)};
 }
 

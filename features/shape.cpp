@@ -5,16 +5,22 @@
 #include "features/cloud_shape.h"
 #include "features/core/errors.h"
 #include "features/decomposition/decompose.h"
+#include "features/implicit_shape.h"
 #include "features/mesh_shape.h"
 #include "features/planar_shape.h"
 #include "features/shape_io/read_planar_domain.h"
 #include "features/shape_io/read_point_cloud.h"
+#include "features/shape_io/read_voxel_grid.h"
+#include "features/shape_io/shape_files.h"
+#include "features/voxel_shape.h"
 
 namespace mdbd {
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (is_point_cloud_file(path)) return load_cloud_shape(path);
-  if (has_planar_extension(path)) return load_planar_shape(path);
+  if (has_extension(path, planar_file_extensions())) return load_planar_shape(path);
+  if (has_extension(path, implicit_file_extensions())) return load_implicit_shape(path);
+  if (has_extension(path, voxel_file_extensions())) return load_voxel_shape(path, recipe);
   return load_mesh_shape(path, recipe);
 }
 

@@ -15,7 +15,7 @@ namespace mdbd {
 /// cloud_shape.h, …); behind `field` nothing knows which it was.
 struct Shape {
   std::string format;          ///< of the file: "off", "pcd", …
-  std::string representation;  ///< "mesh", "point cloud" or "planar domain"
+  std::string representation;  ///< "mesh", "point cloud", "implicit solid", …
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   std::unique_ptr<const DistanceField> field;
   /// The representation says nothing of smaller balls, which are not placed; object units.

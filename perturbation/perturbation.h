@@ -27,7 +27,7 @@ Perturbation decimation_perturbation(double percent);  ///< of the faces that ar
 Perturbation shuffling_perturbation();
 
 /// Nothing but the way into a file and back: write_mesh() and read_mesh().
-/// @param extension one of mesh_file_extensions(): ".stl"
+/// @param extension one of written_mesh_extensions(): ".stl"
 Perturbation export_perturbation(const std::string& extension);
 
 /// Reads a mesh and changes it. The seed of the copy is derived from `seed` and the content of the

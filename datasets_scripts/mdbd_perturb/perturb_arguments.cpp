@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options.h"
-#include "features/shape_io/read_mesh.h"
+#include "features/shape_io/write_mesh.h"
 
 namespace mdbd {
 namespace {
@@ -75,7 +75,7 @@ void add_common_options(CLI::App& app, PerturbArguments& arguments) {
   PerturbOptions& options = arguments.options;
   options.jobs = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::string> formats;
-  for (const std::string_view extension : mesh_file_extensions()) {
+  for (const std::string_view extension : written_mesh_extensions()) {
     formats.emplace_back(extension.substr(1));
   }
   app.add_option("--format", options.format, "Format of the copies; else that of the models")

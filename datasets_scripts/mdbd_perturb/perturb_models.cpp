@@ -44,7 +44,7 @@ PlannedCopy plan_copy(const fs::path& source, const fs::path& output, const std:
                    .target = output,
                    .problem = {}};
   if (fs::is_directory(output)) copy.target = output / with_format(source.filename(), format);
-  if (!has_mesh_extension(copy.target) || copy.target != with_format(copy.target, format)) {
+  if (!has_written_mesh_extension(copy.target) || copy.target != with_format(copy.target, format)) {
     throw InvalidInput(
         fmt::format("{}: the name of a copy ends in {}, unless it is an existing folder",
                     output.string(), format.empty() ? ".off, .obj, .ply or .stl" : "." + format));
@@ -67,7 +67,10 @@ std::vector<PlannedCopy> plan_folder(const Discovery& found, const fs::path& out
     PlannedCopy copy{
         .source = file.path, .name = relative_name(file.path, folder), .target = {}, .problem = {}};
     const fs::path target = output / with_format(copy.name, format);
-    if (targets.insert(target).second) {
+    if (!has_written_mesh_extension(target)) {
+      copy.problem =
+          fmt::format("{} is not written; --format names another", target.extension().string());
+    } else if (targets.insert(target).second) {
       copy.target = target;
     } else {
       copy.problem = fmt::format("the copy of another model is {}, too", target.string());

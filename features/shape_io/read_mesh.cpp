@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "features/core/errors.h"
+#include "features/shape_io/assimp_reader.h"
 #include "features/shape_io/clean_mesh.h"
 #include "features/shape_io/input_file.h"
 #include "features/shape_io/openmesh_reader.h"
@@ -18,8 +19,9 @@ namespace {
 
 using MakePlain = PlainFile (*)(std::string_view bytes);
 
-// In the order of the functions below.
-constexpr std::array<std::string_view, 4> extensions = {".off", ".obj", ".ply", ".stl"};
+// In the order of the functions below, then those that are assimp's.
+constexpr std::array<std::string_view, 9> extensions = {".off", ".obj", ".ply", ".stl", ".3mf",
+                                                        ".3ds", ".dae", ".glb", ".gltf"};
 constexpr std::array<MakePlain, 4> make_plain = {plain_off, plain_obj, plain_ply, plain_stl};
 
 constexpr double smallest_extent = 1e-90;  // its cube fits double precision
@@ -31,12 +33,13 @@ std::size_t format_of(const std::filesystem::path& path) {
   return static_cast<std::size_t>(found - extensions.begin());
 }
 
-PolygonMesh read_polygons(const std::filesystem::path& path, std::size_t format) {
+SceneMesh read_polygons(const std::filesystem::path& path, std::size_t format) {
   const std::string bytes = read_input_file(path);
   if (bytes.find_first_not_of(" \t\r\n\v\f") == bytes.npos) {
     throw InvalidInput("the file is empty but for blanks");
   }
-  return read_with_openmesh(make_plain[format](bytes));
+  if (format >= make_plain.size()) return read_with_assimp(path, extensions[format], bytes);
+  return {.polygons = read_with_openmesh(make_plain[format](bytes)), .unit = ""};
 }
 
 void require_usable_extent(const TriangleMesh& mesh) {
@@ -69,10 +72,13 @@ bool has_mesh_extension(const std::filesystem::path& path) {
 MeshFile read_mesh(const std::filesystem::path& path) {
   const std::size_t format = format_of(path);
   if (format == extensions.size()) {
-    throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
+    throw InvalidInput(
+        "the name does not end in .off, .obj, .ply, .stl, .3mf, .3ds, .dae, .glb or .gltf");
   }
-  MeshFile file = clean(read_polygons(path, format));
+  SceneMesh scene = read_polygons(path, format);
+  MeshFile file = clean(scene.polygons);
   file.format = extensions[format].substr(1);
+  file.unit = std::move(scene.unit);
   return file;
 }
 

@@ -12,7 +12,8 @@ namespace mdbd {
 
 /// A mesh as read from a file, with the record of what it is and what was done to it.
 struct MeshFile {
-  std::string format;  ///< "off", "obj", "ply" or "stl"; empty if there is no file
+  std::string format;  ///< "off", "obj", "gltf", …; empty if there is no file
+  std::string unit;    ///< of length, if the format says; coordinates are as in the file anyway
   TriangleMesh mesh;   ///< oriented outward if the file was inverted as a whole
   MeshStatistics statistics;
 };

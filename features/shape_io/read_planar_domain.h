@@ -19,9 +19,6 @@ struct PlanarFile {
 /// The endings of drawings, in lower case with the dot: ".svg", ".wkt".
 std::span<const std::string_view> planar_file_extensions();
 
-/// Whether the ending of a path, in upper or lower case, is one of planar_file_extensions().
-bool has_planar_extension(const std::filesystem::path& path);
-
 /// Reads a domain of the plane:
 /// - SVG: all paths and basic shapes of the drawing but those in definitions, with their transforms
 ///   and whatever their paint; open paths are closed as filling does. Coordinates are user units,

@@ -6,16 +6,23 @@
 
 namespace mdbd {
 
-/// The endings of all files that hold shapes, in lower case with the dot: those of meshes and of
-/// point clouds.
+/// The endings of documents that describe a solid, in lower case with the dot.
+std::span<const std::string_view> implicit_file_extensions();
+
+/// The endings of all files that hold shapes, in lower case with the dot: those of meshes, of point
+/// clouds and of the others above.
 std::span<const std::string_view> shape_file_extensions();
+
+/// Whether the ending of a path, in upper or lower case, is one of some extensions.
+bool has_extension(const std::filesystem::path& path, std::span<const std::string_view> extensions);
 
 /// Whether the ending of a path, in upper or lower case, is one of shape_file_extensions().
 bool has_shape_extension(const std::filesystem::path& path);
 
 /// Whether a file that lies in a folder is taken for a shape: by its ending; a text (.txt, .csv)
-/// only if its first lines are points, since folders of models hold other texts, too. A text that
-/// cannot be read is not.
+/// only if its first lines are points, and a document (.json) only if its beginning has the name of
+/// the format of solids, since folders of models hold other texts, too. A text that cannot be read
+/// is not.
 bool is_shape_file(const std::filesystem::path& path);
 
 }  // namespace mdbd

@@ -1,5 +1,6 @@
 #include "features/shape_io/write_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -7,7 +8,6 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -109,17 +109,31 @@ std::string format_stl(const TriangleMesh& mesh) {
 
 using Format = std::string (*)(const TriangleMesh&);
 
-constexpr std::pair<std::string_view, Format> formats[] = {
-    {".off", format_off}, {".obj", format_obj}, {".ply", format_ply}, {".stl", format_stl}};
+// In the order of the functions.
+constexpr std::array<std::string_view, 4> extensions = {".off", ".obj", ".ply", ".stl"};
+constexpr std::array<Format, 4> formats = {format_off, format_obj, format_ply, format_stl};
+
+std::size_t format_of(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  const auto* found = std::ranges::find_if(
+      extensions, [&](std::string_view known) { return equals_ignoring_case(known, extension); });
+  return static_cast<std::size_t>(found - extensions.begin());
+}
 
 }  // namespace
 
+std::span<const std::string_view> written_mesh_extensions() { return extensions; }
+
+bool has_written_mesh_extension(const std::filesystem::path& path) {
+  return format_of(path) < extensions.size();
+}
+
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  const std::string extension = path.extension().string();
-  for (const auto& [known, format] : formats) {
-    if (equals_ignoring_case(known, extension)) return write_file(path, format(mesh));
+  const std::size_t format = format_of(path);
+  if (format == formats.size()) {
+    throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
   }
-  throw InvalidInput("the name does not end in .off, .obj, .ply or .stl");
+  write_file(path, formats[format](mesh));
 }
 
 }  // namespace mdbd

@@ -39,6 +39,9 @@ mdbd_cli_test(NAME perturb/folder_format COMMAND sh -c "${perturb} convert --for
 mdbd_cli_test(NAME perturb/one_copy_for_two_models EXIT 3
   COMMAND sh -c "mkdir in && cp '${cube}' in/a.off && ${perturb} convert in/a.off in/a.obj && ${perturb} convert --format ply in out"
   REGEXP "warning: a\\.off: the copy of another model is out/a\\.ply, too")
+mdbd_cli_test(NAME perturb/format_that_is_not_written EXIT 3
+  COMMAND sh -c "mkdir in && cp '${cube}' in/a.off && cp '${cube}' in/b.glb && ${perturb} convert in out"
+  REGEXP "warning: b\.glb: \.glb is not written; --format names another")
 mdbd_cli_test(NAME perturb/quiet COMMAND mdbd-perturb mirror --quiet ${cube} a.off REGEXP "^$")
 
 mdbd_cli_test(NAME perturb/onto_itself EXIT 1

@@ -117,7 +117,7 @@ TEST_CASE("A mesh that is inverted as a whole is turned outward and named") {
 }
 
 TEST_CASE("Endings are known in upper and lower case") {
-  CHECK(mesh_file_extensions().size() == 4);
+  CHECK(mesh_file_extensions().size() == 9);
   CHECK(has_mesh_extension("a/b.OFF"));
   CHECK(has_mesh_extension("b.Stl"));
   CHECK(has_mesh_extension("b.c.obj"));

@@ -7,29 +7,76 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/cloud_writers.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"
+#include "tests/support/scene_writers.h"
+#include "tests/support/voxel_writers.h"
 
 /// Files as accidents and attackers leave them. Everything depends on the seed alone.
 namespace mdbd::test {
 
-/// A small torus or a drawing as a file of each kind that a reader knows, by reader: ending and
-/// content.
-inline std::vector<std::pair<std::string, std::vector<std::string>>> sound_files() {
+using FilesOfReader = std::pair<std::string, std::vector<std::string>>;
+
+/// Small shapes as files of each kind that a reader knows, by reader: ending and contents.
+inline std::vector<FilesOfReader> sound_meshes() {
   const TriangleMesh mesh = make_torus(2.0, 0.5, 5, 3);
+  return {{".off", {to_off(mesh)}},
+          {".obj", {to_obj(mesh)}},
+          {".ply",
+           {to_ply_text(mesh), to_ply_binary<float>(mesh, std::endian::little),
+            to_ply_binary<double>(mesh, std::endian::big)}},
+          {".stl", {to_stl_text(mesh), to_stl_binary(mesh)}}};
+}
+
+inline std::vector<FilesOfReader> sound_clouds() {
+  PointCloud bare;
+  bare.points = make_sphere(1.0, 6).vertices;
+  PointCloud cloud = bare;
+  cloud.normals = bare.points;
+  return {{".pcd",
+           {to_pcd(cloud, PcdEncoding::text), to_pcd(cloud, PcdEncoding::binary),
+            to_pcd(bare, PcdEncoding::compressed)}},
+          {".xyz", {to_table(cloud, " "), to_table(bare, " ")}},
+          {".csv", {to_table(cloud, ","), to_table(bare, ", ")}},
+          {".ply", {to_ply(cloud), to_ply(bare)}}};
+}
+
+inline std::vector<FilesOfReader> sound_scenes() {
+  std::vector<FilesOfReader> files;
+  for (const auto& [ending, content] : scene_files({.mesh = make_torus(2.0, 0.5, 5, 3)})) {
+    files.push_back({ending, {content}});
+  }
+  return files;
+}
+
+inline std::vector<FilesOfReader> sound_drawings() {
   return {
-      {".off", {to_off(mesh)}},
-      {".obj", {to_obj(mesh)}},
-      {".ply",
-       {to_ply_text(mesh), to_ply_binary<float>(mesh, std::endian::little),
-        to_ply_binary<double>(mesh, std::endian::big)}},
-      {".stl", {to_stl_text(mesh), to_stl_binary(mesh)}},
       {".svg", {R"svg(<svg xmlns="http://www.w3.org/2000/svg"><g transform="scale(2) rotate(30)">
               <circle r="3"/><path d="M0 0h4v3q1 2 2 0t2 0c1 1 2 2 3 3a3 2 30 0 1 1 1z"/>
               <rect x="1mm" width="4" height="2" rx="1"/></g></svg>)svg"}},
       {".wkt",
        {"POLYGON((0 0,4 0,4 3,0 3,0 0),(1 1,2 1,2 2,1 2,1 1))",
         "MULTIPOLYGON(((0 0,4 0,4 3)),((10 0,11 0,11 1,10 1)))"}}};
+}
+
+inline std::vector<FilesOfReader> sound_solids() {
+  const std::string block =
+      R"({"format": "mdbd-csg", "solid": {"difference": [
+          {"box": {"min": [-2, -1, -1], "max": [2, 1, 1]}},
+          {"cylinder": {"from": [0, 0, -2], "to": [0, 0, 2], "radius": 0.5}}]}})";
+  const std::string ring =
+      R"({"format": "mdbd-csg", "solid": {"translate": [1, 2, 3], "of": {"rotate":
+          {"axis": [1, 0, 0], "degrees": 30}, "of": {"union": [{"sphere": {"radius": 1}},
+          {"torus": {"radius": 2, "tube_radius": 0.5}}, {"intersection": [
+          {"scale": 2, "of": {"sphere": {"radius": 1}}},
+          {"halfspace": {"point": [0, 0, 1], "outward": [0, 0, 1]}}]}]}}}})";
+  const VoxelGrid grid = sample_grid(7, 1.3, ball_distance_at);
+  return {{".json", {block, ring}},
+          {".nrrd", {to_nrrd_text(grid), to_nrrd_raw(grid)}},
+          {".mha", {to_metaimage(grid)}},
+          {".vtk", {to_vtk(grid, true), to_vtk(grid, false)}},
+          {".vti", {to_vti(grid)}}};
 }
 
 /// Changes the content of files.
