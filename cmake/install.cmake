@@ -19,5 +19,6 @@ install(FILES
   ${PROJECT_BINARY_DIR}/mdbd-config.cmake
   ${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
   ${CMAKE_CURRENT_LIST_DIR}/flann.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/occt.cmake
   ${CMAKE_CURRENT_LIST_DIR}/pcl.cmake
   DESTINATION ${package_directory})

@@ -6,8 +6,8 @@
 
 namespace mdbd {
 
-/// The endings of all files that hold shapes, in lower case with the dot: those of meshes and of
-/// point clouds.
+/// The endings of all files that hold shapes, in lower case with the dot: those of meshes, of
+/// boundary representations and of point clouds.
 std::span<const std::string_view> shape_file_extensions();
 
 /// Whether the ending of a path, in upper or lower case, is one of shape_file_extensions().
