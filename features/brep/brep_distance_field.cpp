@@ -92,26 +92,22 @@ BrepDistanceField::BrepDistanceField(Brep brep) : brep_(std::move(brep)) {
       std::make_unique<FlatFaces>(brep_, edges + rounding * enclosing_ball_.radius);
 }
 
-// An edge's chord may be off within the surface, too, so a face is as far from its triangles as
-// its edges are from theirs.
+// Beside a curved edge a face may end before its triangles or behind them.
 void BrepDistanceField::measure_deflection() {
+  double of_edges = 0.0;
   for (const BrepEdge& edge : brep_.edges) {
     edge_deflection_.push_back(deflection_margin * measure_edge(edge));
-    deflection_ = std::max(deflection_, edge_deflection_.back());
+    of_edges = std::max(of_edges, edge_deflection_.back());
   }
-  face_deflection_.assign(brep_.faces.size(), 0.0);
+  deflection_ = of_edges;
   for (std::size_t t = 0; t < brep_.mesh.triangles.size(); ++t) {
     const BrepFace& face = brep_.faces[brep_.face_of[t]];
+    double& deflection = triangle_deflection_.emplace_back(0.0);
     if (face.is_polygon) continue;
-    double& largest = face_deflection_[brep_.face_of[t]];
-    largest = std::max(largest, deflection_margin * measure_triangle(brep_, t, *face.surface));
+    deflection = deflection_margin * measure_triangle(brep_, t, *face.surface);
+    if (std::ranges::count(brep_.is_chord[t], true) > 0) deflection += of_edges;
+    deflection_ = std::max(deflection_, deflection);
   }
-  double of_faces = 0.0;
-  for (std::size_t f = 0; f < brep_.faces.size(); ++f) {
-    if (!brep_.faces[f].is_polygon) face_deflection_[f] += deflection_;
-    of_faces = std::max(of_faces, face_deflection_[f]);
-  }
-  deflection_ = std::max(deflection_, of_faces);
 }
 
 TriangleMesh BrepDistanceField::collect_elements() {
@@ -162,7 +158,7 @@ class BrepDistanceField::Search {
       consider_edge(candidate, element, edge, number);
     } else {
       const std::uint32_t face = brep_.face_of[element];
-      if (distance - field_.face_deflection_[face] > best_distance_) return;
+      if (distance - field_.triangle_deflection_[element] > best_distance_) return;
       consider_face(candidate, element, face);
     }
   }

@@ -11,6 +11,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int max_newton_steps = 30;
+// After a step of this length, relative to the coordinates, the next one would be its square.
+constexpr double settled = 1e-9;
 // Closer to an axis than this, relative to the size of the surface, a direction is only rounding.
 constexpr double axis_rounding = 1e-13;
 
@@ -109,7 +111,7 @@ std::optional<FootPoint> foot_by_newton(const BrepFace& face, const Vector3d& po
     uv = next;
     s = at_next;
     offset = s.point - point;
-    if (moved <= 1e-14 * (offset.norm() + s.point.norm())) break;
+    if (moved <= settled * (offset.norm() + s.point.norm())) break;
   }
   return FootPoint{uv, s.point};
 }

@@ -11,6 +11,8 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Curve.hxx>
@@ -38,6 +40,7 @@
 
 #include <Eigen/Geometry>
 
+#include "features/brep/bspline.h"
 #include "features/brep/occt_shape.h"
 #include "features/core/errors.h"
 
@@ -117,6 +120,44 @@ class OcctParameterCurve final : public ParameterCurve {
   Handle(Geom2d_Curve) curve_;
 };
 
+BsplineBasis to_basis(int degree, const TColStd_Array1OfReal& knots) {
+  return {degree, std::vector<double>(knots.begin(), knots.end())};
+}
+
+Eigen::Vector4d to_pole(const gp_Pnt& point, double weight) {
+  Eigen::Vector4d pole;
+  pole << weight * to_vector(point.XYZ()), weight;
+  return pole;
+}
+
+std::shared_ptr<const ParametricSurface> make_surface(const Handle(Geom_Surface) & surface) {
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+  if (spline.IsNull()) return std::make_shared<OcctSurface>(surface);
+  const auto copy = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+  copy->SetUNotPeriodic();
+  copy->SetVNotPeriodic();
+  std::vector<Eigen::Vector4d> poles;
+  for (int i = 1; i <= copy->NbUPoles(); ++i) {
+    for (int j = 1; j <= copy->NbVPoles(); ++j) {
+      poles.push_back(to_pole(copy->Pole(i, j), copy->Weight(i, j)));
+    }
+  }
+  return std::make_shared<BsplineSurface>(to_basis(copy->UDegree(), copy->UKnotSequence()),
+                                          to_basis(copy->VDegree(), copy->VKnotSequence()),
+                                          std::move(poles));
+}
+
+std::shared_ptr<const ParametricCurve> make_curve(const Handle(Geom_Curve) & curve) {
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  if (spline.IsNull()) return std::make_shared<OcctCurve>(curve);
+  const auto copy = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
+  copy->SetNotPeriodic();
+  std::vector<Eigen::Vector4d> poles;
+  for (int i = 1; i <= copy->NbPoles(); ++i) poles.push_back(to_pole(copy->Pole(i), copy->Weight(i)));
+  return std::make_shared<BsplineCurve>(to_basis(copy->Degree(), copy->KnotSequence()),
+                                        std::move(poles));
+}
+
 Placement to_placement(const gp_Ax3& frame) {
   return {.origin = to_vector(frame.Location().XYZ()),
           .x = to_vector(frame.XDirection().XYZ()),
@@ -136,6 +177,14 @@ Handle(Geom_Curve) untrimmed(Handle(Geom_Curve) curve) {
   while (true) {
     const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve);
     if (trimmed.IsNull()) return curve;
+    curve = trimmed->BasisCurve();
+  }
+}
+
+bool is_straight_line(Handle(Geom2d_Curve) curve) {
+  while (true) {
+    const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve);
+    if (trimmed.IsNull()) return !Handle(Geom2d_Line)::DownCast(curve).IsNull();
     curve = trimmed->BasisCurve();
   }
 }
@@ -247,7 +296,7 @@ class Builder {
     BrepFace added;
     const Handle(Geom_Surface) basis = untrimmed(surface);
     set_kind(added, basis);
-    added.surface = std::make_shared<OcctSurface>(basis);
+    added.surface = make_surface(basis);
     if (basis->IsUPeriodic()) added.period.x() = basis->UPeriod();
     if (basis->IsVPeriodic()) added.period.y() = basis->VPeriod();
     added.is_reversed = face.Orientation() == TopAbs_REVERSED;
@@ -286,6 +335,7 @@ class Builder {
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     std::shared_ptr<const ParameterCurve> shared;
     if (!curve.IsNull()) shared = std::make_shared<OcctParameterCurve>(curve);
+    const bool is_straight = !curve.IsNull() && is_straight_line(curve);
     if (!nodes.has_parameters()) {
       if (!shared) throw InvalidInput("an edge has no place on its face");
       for (int i = 0; i < default_segments; ++i) {
@@ -299,7 +349,8 @@ class Builder {
     for (int i = 1; i < polygon.NbNodes(); ++i) {
       added.outline.push_back({to_vector(triangulation->UVNode(polygon.Node(i)).XY()),
                                to_vector(triangulation->UVNode(polygon.Node(i + 1)).XY()),
-                               polygon.Parameter(i), polygon.Parameter(i + 1), shared});
+                               polygon.Parameter(i), polygon.Parameter(i + 1),
+                               is_straight ? nullptr : shared});
     }
   }
 
@@ -311,7 +362,7 @@ class Builder {
     double last;
     const Handle(Geom_Curve) curve = curve_of(edge, first, last);
     if (curve.IsNull()) throw InvalidInput("an edge has no curve");
-    added.curve = std::make_shared<OcctCurve>(curve);
+    added.curve = make_curve(curve);
     if (!Handle(Geom_Line)::DownCast(curve).IsNull()) {
       added.kind = CurveKind::line;
       added.parameters = {first, last};

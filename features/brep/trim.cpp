@@ -42,7 +42,7 @@ void Trim::add(const OutlineSide& side) {
     extend(uv);
     arc.bulge = std::max(arc.bulge, bulge_margin * std::abs(cross(arc.along, uv - side.from)));
   }
-  if (arc.bulge > 1e-14 * (length + side.from.norm())) arcs_.push_back(arc);
+  if (arc.bulge > 1e-12 * (length + side.from.norm())) arcs_.push_back(arc);
 }
 
 bool Trim::contains(const Vector2d& uv) const {
