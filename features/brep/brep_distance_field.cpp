@@ -10,6 +10,7 @@
 
 #include "features/brep/closest_on_edge.h"
 #include "features/brep/closest_on_surface.h"
+#include "features/brep/deviation.h"
 #include "features/brep/exact_enclosing_ball.h"
 #include "features/core/errors.h"
 #include "features/core/triangle.h"
@@ -40,21 +41,15 @@ Vector3d barycentric(const TriangleCorners& corners, const Vector3d& point) {
   return {1.0 - b - c, b, c};
 }
 
-// How far a surface is from a triangle of its tessellation, at samples of equal parameters.
-double measure_triangle(const Brep& brep, std::size_t triangle, const ParametricSurface& surface) {
-  static const Vector3d samples[] = {{1.0, 0.0, 0.0},    {0.0, 1.0, 0.0},    {0.0, 0.0, 1.0},
-                                     {0.5, 0.5, 0.0},    {0.0, 0.5, 0.5},    {0.5, 0.0, 0.5},
-                                     {1 / 3., 1 / 3., 1 / 3.}, {2 / 3., 1 / 6., 1 / 6.},
-                                     {1 / 6., 2 / 3., 1 / 6.}, {1 / 6., 1 / 6., 2 / 3.}};
-  const auto& [a, b, c] = brep.mesh.triangles[triangle];
-  const TriangleCorners corners{brep.mesh.vertices[a], brep.mesh.vertices[b],
-                                brep.mesh.vertices[c]};
+double measure_triangle(const Brep& brep, std::size_t triangle) {
+  static const Vector3d samples[] = {
+      {1.0, 0.0, 0.0},          {0.0, 1.0, 0.0},          {0.0, 0.0, 1.0},
+      {0.5, 0.5, 0.0},          {0.0, 0.5, 0.5},          {0.5, 0.0, 0.5},
+      {1 / 3., 1 / 3., 1 / 3.}, {2 / 3., 1 / 6., 1 / 6.}, {1 / 6., 2 / 3., 1 / 6.},
+      {1 / 6., 1 / 6., 2 / 3.}};
   double largest = 0.0;
   for (const Vector3d& weight : samples) {
-    const Vector2d uv = weight[0] * brep.parameters[a] + weight[1] * brep.parameters[b] +
-                        weight[2] * brep.parameters[c];
-    const Vector3d on_surface = surface.at(uv).point;
-    largest = std::max(largest, (closest_point(corners, on_surface) - on_surface).norm());
+    largest = std::max(largest, measure_deviation(brep, triangle, weight));
   }
   return largest;
 }
@@ -104,7 +99,7 @@ void BrepDistanceField::measure_deflection() {
     const BrepFace& face = brep_.faces[brep_.face_of[t]];
     double& deflection = triangle_deflection_.emplace_back(0.0);
     if (face.is_polygon) continue;
-    deflection = deflection_margin * measure_triangle(brep_, t, *face.surface);
+    deflection = deflection_margin * measure_triangle(brep_, t);
     if (std::ranges::count(brep_.is_chord[t], true) > 0) deflection += of_edges;
     deflection_ = std::max(deflection_, deflection);
   }
@@ -149,6 +144,12 @@ class BrepDistanceField::Search {
   const Nearest& best() const { return best_; }
 
  private:
+  /// A strict minimum of the distance from a surface that has no closed form.
+  struct Foot {
+    std::uint32_t face;
+    Vector3d point;
+  };
+
   void consider(const ClosestPoint& candidate) {
     const std::uint32_t element = field_.elements_->sources()[candidate.triangle];
     const double distance = std::sqrt(candidate.squared_distance);
@@ -175,11 +176,29 @@ class BrepDistanceField::Search {
     const BrepFace& face = brep_.faces[number];
     if (face.is_polygon) return offer(candidate.point, element, start(candidate, element));
     if (face.kind != SurfaceKind::other && !is_new(number)) return;
+    if (is_known(candidate, number)) return;
     const Trim& trim = field_.trims_[number];
     const auto foot = find_foot(face, point_, start(candidate, element), trim.lower(), trim.upper());
+    if (foot && foot->is_isolated) remember({number, foot->point});
     if (!foot || (foot->point - point_).norm() < least_) return;
     if ((foot->point - point_).squaredNorm() >= best_.squared_distance) return;
     if (trim.contains(foot->uv)) offer(foot->point, element, foot->uv);
+  }
+
+  // Whether the foot that a triangle leads to was found from a neighbour.
+  bool is_known(const ClosestPoint& candidate, std::uint32_t face) const {
+    const auto& [a, b, c] = field_.elements_->triangles()[candidate.triangle];
+    const double squared_size =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return std::any_of(feet_.begin(), feet_.begin() + static_cast<std::ptrdiff_t>(foot_count_),
+                       [&](const Foot& foot) {
+                         return foot.face == face &&
+                                (foot.point - candidate.point).squaredNorm() < squared_size;
+                       });
+  }
+
+  void remember(const Foot& foot) {
+    if (foot_count_ < feet_.size()) feet_[foot_count_++] = foot;
   }
 
   // The parameters of the point of a triangle.
@@ -217,6 +236,8 @@ class BrepDistanceField::Search {
   Nearest best_{Vector3d::Zero(), std::numeric_limits<double>::infinity(), 0, Vector2d::Zero()};
   std::array<std::uint32_t, 16> seen_;
   std::size_t count_ = 0;
+  std::array<Foot, 16> feet_;
+  std::size_t foot_count_ = 0;
 };
 
 void BrepDistanceField::measure(std::span<const DistanceQuery> queries,

@@ -1,6 +1,8 @@
 #include "features/brep/closest_on_surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -65,23 +67,41 @@ FootPoint foot_on_torus(const Placement& at, const Vector3d& local, const Vector
                       at.minor_radius * std::sin(v) * at.z};
 }
 
-// The step of Newton's method for half the squared distance; where that is not convex, the step of
-// Gauss and Newton, which goes downhill everywhere.
+// The second derivatives of half the squared distance, and what they would be on a plane.
+struct Hessian {
+  Eigen::Matrix2d plane;
+  Eigen::Matrix2d full;
+
+  Hessian(const SurfacePoint& s, const Vector3d& offset) {
+    plane << s.du.dot(s.du), s.du.dot(s.dv), s.du.dot(s.dv), s.dv.dot(s.dv);
+    full = plane;
+    full(0, 0) += offset.dot(s.duu);
+    full(0, 1) += offset.dot(s.duv);
+    full(1, 0) += offset.dot(s.duv);
+    full(1, 1) += offset.dot(s.dvv);
+  }
+
+  static bool is_convex(const Eigen::Matrix2d& m) {
+    return m(0, 0) > 0 && m.determinant() > 1e-10 * m(0, 0) * m(1, 1);
+  }
+};
+
+// The step of Newton's method; where the squared distance is not convex, that of Gauss and Newton,
+// which goes downhill everywhere.
 Vector2d newton_step(const SurfacePoint& s, const Vector3d& offset) {
   const Vector2d gradient(offset.dot(s.du), offset.dot(s.dv));
-  Eigen::Matrix2d metric;
-  metric << s.du.dot(s.du), s.du.dot(s.dv), s.du.dot(s.dv), s.dv.dot(s.dv);
-  Eigen::Matrix2d hessian = metric;
-  hessian(0, 0) += offset.dot(s.duu);
-  hessian(0, 1) += offset.dot(s.duv);
-  hessian(1, 0) += offset.dot(s.duv);
-  hessian(1, 1) += offset.dot(s.dvv);
-  const auto is_convex = [](const Eigen::Matrix2d& m) {
-    return m(0, 0) > 0 && m.determinant() > 1e-10 * m(0, 0) * m(1, 1);
-  };
-  if (is_convex(hessian)) return -hessian.inverse() * gradient;
-  if (is_convex(metric)) return -metric.inverse() * gradient;
-  return -gradient / std::max(metric.trace(), 1e-300);
+  const Hessian hessian(s, offset);
+  for (const Eigen::Matrix2d& matrix : {hessian.full, hessian.plane}) {
+    if (Hessian::is_convex(matrix)) return -matrix.inverse() * gradient;
+  }
+  return -gradient / std::max(hessian.plane.trace(), std::numeric_limits<double>::min());
+}
+
+bool is_isolated(const SurfacePoint& s, const Vector3d& offset) {
+  constexpr double least_growth = 0.3;
+  const Hessian hessian(s, offset);
+  return Hessian::is_convex(hessian.plane) &&
+         Hessian::is_convex(hessian.full - least_growth * hessian.plane);
 }
 
 std::optional<FootPoint> foot_by_newton(const BrepFace& face, const Vector3d& point,
@@ -113,7 +133,7 @@ std::optional<FootPoint> foot_by_newton(const BrepFace& face, const Vector3d& po
     offset = s.point - point;
     if (moved <= settled * (offset.norm() + s.point.norm())) break;
   }
-  return FootPoint{uv, s.point};
+  return FootPoint{uv, s.point, is_isolated(s, offset)};
 }
 
 }  // namespace

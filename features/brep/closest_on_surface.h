@@ -10,6 +10,9 @@ namespace mdbd {
 struct FootPoint {
   Eigen::Vector2d uv;
   Eigen::Vector3d point;
+  /// Newton's method found it, and the distance grows all around as it does from a plane, within a
+  /// factor: whatever starts nearby comes to the same foot.
+  bool is_isolated = false;
 };
 
 /// The foot of a point on the surface of a face: in closed form on planes, cylinders, cones,

@@ -42,6 +42,7 @@
 
 #include "features/brep/bspline.h"
 #include "features/brep/occt_shape.h"
+#include "features/brep/refine_tessellation.h"
 #include "features/core/errors.h"
 
 namespace mdbd {
@@ -253,6 +254,7 @@ class Builder {
     for (TopExp_Explorer it(shape_, TopAbs_FACE); it.More(); it.Next()) {
       add_face(TopoDS::Face(it.Current()));
     }
+    refine_tessellation(brep_, deflection_);
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(shape_, properties);
     brep_.centroid = to_vector(properties.CentreOfMass().XYZ());
@@ -268,8 +270,9 @@ class Builder {
     BRepLib::BuildCurves3d(shape_);
     const double size = std::sqrt(box.SquareExtent());
     if (!(size > 0 && std::isfinite(size))) throw InvalidInput("the shape has no extent");
-    const BRepMesh_IncrementalMesh mesh(shape_, relative_deflection * size, Standard_False,
-                                        angular_deflection, Standard_False);
+    deflection_ = relative_deflection * size;
+    const BRepMesh_IncrementalMesh mesh(shape_, deflection_, Standard_False, angular_deflection,
+                                        Standard_False);
   }
 
   // Two faces meet in each edge, or one meets itself.
@@ -418,6 +421,7 @@ class Builder {
 
   const TopoDS_Shape& shape_;
   Brep brep_;
+  double deflection_ = 0.0;
   TopTools_IndexedMapOfShape edges_;       ///< those that were added
   std::set<std::pair<int, int>> chords_;  ///< of the curved edges of a face, by nodes
 };
