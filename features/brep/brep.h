@@ -19,7 +19,7 @@ struct OutlineSide {
   Eigen::Vector2d to;
   double first = 0.0;  ///< the curve's parameters at `from` and `to`
   double last = 0.0;
-  std::shared_ptr<const ParameterCurve> curve;  ///< null: a straight line
+  std::shared_ptr<const ParameterCurve> curve = {};  ///< null: a straight line
 };
 
 /// A surface and the part of it that is boundary.

@@ -15,6 +15,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double precision = 1e-13;
+// Points closer to each other than this, relative to the radius, are one: the ball of points that
+// are almost the same is lost in rounding.
+constexpr double least_distance = 1e-3;
 constexpr int max_rounds = 60;
 constexpr int max_steps = 40;
 
@@ -41,7 +44,11 @@ Vector2d ascent_step(const SurfacePoint& s, const Vector3d& offset, double lengt
 class Growth {
  public:
   Growth(const Brep& brep, std::span<const Trim> trims, double deflection)
-      : brep_(brep), trims_(trims), deflection_(deflection), points_(brep.mesh.vertices) {}
+      : brep_(brep),
+        trims_(trims),
+        deflection_(deflection),
+        node_count_(brep.mesh.vertices.size()),
+        points_(brep.mesh.vertices) {}
 
   Ball run() {
     Ball ball = enclosing_ball(points_);
@@ -61,7 +68,7 @@ class Growth {
     double farthest = ball.radius;
     const auto consider = [&](const Vector3d& point) {
       const double distance = (point - ball.center).norm();
-      if (distance > ball.radius * (1 + precision)) points_.push_back(point);
+      if (distance > ball.radius * (1 + precision)) add(point, ball);
       farthest = std::max(farthest, distance);
     };
     for (std::size_t t = 0; t < brep_.mesh.triangles.size(); ++t) {
@@ -73,6 +80,19 @@ class Growth {
       if (edge.kind != CurveKind::line) climb(edge, ball, consider);
     }
     return farthest;
+  }
+
+  // In place of an earlier point of the same bulge.
+  void add(const Vector3d& point, const Ball& ball) {
+    const double squared = least_distance * least_distance * ball.radius * ball.radius;
+    const auto same = std::find_if(
+        points_.begin() + static_cast<std::ptrdiff_t>(node_count_), points_.end(),
+        [&](const Vector3d& known) { return (known - point).squaredNorm() < squared; });
+    if (same == points_.end()) {
+      points_.push_back(point);
+    } else if ((*same - ball.center).squaredNorm() < (point - ball.center).squaredNorm()) {
+      *same = point;
+    }
   }
 
   bool may_stick_out(std::size_t triangle, const Ball& ball) const {
@@ -136,7 +156,8 @@ class Growth {
   const Brep& brep_;
   std::span<const Trim> trims_;
   double deflection_;
-  std::vector<Vector3d> points_;
+  std::size_t node_count_;
+  std::vector<Vector3d> points_;  ///< the nodes, then those that were added
 };
 
 }  // namespace

@@ -1,4 +1,10 @@
 // Files -> OpenCASCADE's shapes.
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
+
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -42,7 +48,30 @@ OcctFile read_step(const std::filesystem::path& path) {
   return file;
 }
 
+// OpenCASCADE crashes on files that end too early. Lines have 80 columns; the 73rd tells their
+// section, and the last line how many there are of each.
+void require_complete_iges(const std::filesystem::path& path) {
+  constexpr std::string_view sections = "SGDP";
+  std::ifstream file = open_input_file(path);
+  std::array<int, sections.size()> lines{};
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (line.size() < 73) continue;
+    const std::size_t section = sections.find(line[72]);
+    if (section != sections.npos) ++lines[section];
+    last = line;
+  }
+  if (last.size() < 73 || last[72] != 'T') throw InvalidInput("cut off, or no IGES file");
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const std::string count = last.substr(8 * i + 1, 7);
+    if (std::strtol(count.c_str(), nullptr, 10) != lines[i]) {
+      throw InvalidInput("damaged: the lines of the file are not those that its end tells");
+    }
+  }
+}
+
 OcctFile read_iges(const std::filesystem::path& path) {
+  require_complete_iges(path);
   IGESControl_Reader reader;
   require_read(reader.ReadFile(path.c_str()), "IGES");
   OcctFile file{.shape = {}, .format = "iges", .unit = {}};
