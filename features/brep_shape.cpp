@@ -27,9 +27,9 @@ Json describe(const BrepFile& file) {
 // Open faces as a mesh, with what the way of meshes says of it.
 Shape make_sheet(const BrepFile& file, const Recipe& recipe) {
   Shape shape = make_mesh_shape(file.brep.mesh, recipe);
-  Json record = describe(file);
+  Json record = Json::parse(shape.statistics);
+  record.update(describe(file));
   record["tessellated"] = "the faces enclose nothing: measured as a mesh";
-  record.update(Json::parse(shape.statistics));
   shape.format = file.format;
   shape.statistics = record.dump();
   return shape;

@@ -10,6 +10,7 @@
 #include "features/denoise/denoise_mesh.h"
 #include "features/distance/mesh_distance_field.h"
 #include "features/shape_io/read_mesh.h"
+#include "features/shape_unit.h"
 #include "features/solidify/orient_shells.h"
 #include "features/solidify/solidify_mesh.h"
 
@@ -79,6 +80,7 @@ PreparedMesh prepare(TriangleMesh mesh, const MeshStatistics& statistics, const 
 /// The record of a mesh with what was done to it.
 std::string describe_preparation(const MeshStatistics& statistics, const PreparedMesh& prepared) {
   auto record = nlohmann::ordered_json::parse(to_json(statistics));
+  record["unit"] = unknown_unit;
   record["faces_turned"] = prepared.faces_turned;
   record["noise"] = prepared.noise;
   record["denoise_filter"] = prepared.noise > 0.0 ? "umbrella" : "none";

@@ -28,8 +28,8 @@ struct BrepFace {
   Placement placement;  ///< unless `other`
   std::shared_ptr<const ParametricSurface> surface;
   Eigen::Vector2d period = Eigen::Vector2d::Zero();  ///< of u and v; zero if there is none
-  bool is_reversed = false;  ///< the outside is opposite to the direction of du x dv
-  bool is_polygon = false;   ///< plane with straight edges: its triangles are exact
+  bool is_reversed = false;          ///< the outside is opposite to the direction of du x dv
+  bool is_polygon = false;           ///< plane with straight edges: its triangles are exact
   std::vector<OutlineSide> outline;  ///< closed loops, all of them, in any order
 };
 

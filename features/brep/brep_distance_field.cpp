@@ -42,11 +42,11 @@ Vector3d barycentric(const TriangleCorners& corners, const Vector3d& point) {
 }
 
 double measure_triangle(const Brep& brep, std::size_t triangle) {
-  static const Vector3d samples[] = {
-      {1.0, 0.0, 0.0},          {0.0, 1.0, 0.0},          {0.0, 0.0, 1.0},
-      {0.5, 0.5, 0.0},          {0.0, 0.5, 0.5},          {0.5, 0.0, 0.5},
-      {1 / 3., 1 / 3., 1 / 3.}, {2 / 3., 1 / 6., 1 / 6.}, {1 / 6., 2 / 3., 1 / 6.},
-      {1 / 6., 1 / 6., 2 / 3.}};
+  static const Vector3d samples[] = {{1.0, 0.0, 0.0},          {0.0, 1.0, 0.0},
+                                     {0.0, 0.0, 1.0},          {0.5, 0.5, 0.0},
+                                     {0.0, 0.5, 0.5},          {0.5, 0.0, 0.5},
+                                     {1 / 3., 1 / 3., 1 / 3.}, {2 / 3., 1 / 6., 1 / 6.},
+                                     {1 / 6., 2 / 3., 1 / 6.}, {1 / 6., 1 / 6., 2 / 3.}};
   double largest = 0.0;
   for (const Vector3d& weight : samples) {
     largest = std::max(largest, measure_deviation(brep, triangle, weight));
@@ -83,8 +83,7 @@ BrepDistanceField::BrepDistanceField(Brep brep) : brep_(std::move(brep)) {
   elements_ = std::make_unique<TriangleTree>(collect_elements());
   winding_number_ = std::make_unique<WindingNumber>(*faces_);
   const double edges = edge_deflection_.empty() ? 0.0 : *std::ranges::max_element(edge_deflection_);
-  flat_faces_ =
-      std::make_unique<FlatFaces>(brep_, edges + rounding * enclosing_ball_.radius);
+  flat_faces_ = std::make_unique<FlatFaces>(brep_, edges + rounding * enclosing_ball_.radius);
 }
 
 // Beside a curved edge a face may end before its triangles or behind them.
@@ -178,7 +177,8 @@ class BrepDistanceField::Search {
     if (face.kind != SurfaceKind::other && !is_new(number)) return;
     if (is_known(candidate, number)) return;
     const Trim& trim = field_.trims_[number];
-    const auto foot = find_foot(face, point_, start(candidate, element), trim.lower(), trim.upper());
+    const auto foot =
+        find_foot(face, point_, start(candidate, element), trim.lower(), trim.upper());
     if (foot && foot->is_isolated) remember({number, foot->point});
     if (!foot || (foot->point - point_).norm() < least_) return;
     if ((foot->point - point_).squaredNorm() >= best_.squared_distance) return;
@@ -210,8 +210,7 @@ class BrepDistanceField::Search {
            weight[2] * brep_.parameters[corners[2]];
   }
 
-  void offer(const Vector3d& point, std::uint32_t element,
-             const Vector2d& uv = Vector2d::Zero()) {
+  void offer(const Vector3d& point, std::uint32_t element, const Vector2d& uv = Vector2d::Zero()) {
     const double squared = (point - point_).squaredNorm();
     if (!(squared < best_.squared_distance)) return;
     best_ = {point, squared, element, uv};
@@ -246,8 +245,8 @@ void BrepDistanceField::measure(std::span<const DistanceQuery> queries,
     const DistanceQuery& query = queries[i];
     const Nearest nearest = Search(*this, query.point, query.bound).best();
     const double distance = std::sqrt(nearest.squared_distance);
-    const bool inside = query.side == Side::unknown ? is_inside(query.point, nearest)
-                                                    : query.side == Side::inside;
+    const bool inside =
+        query.side == Side::unknown ? is_inside(query.point, nearest) : query.side == Side::inside;
     samples[i] = {inside ? distance : -distance, nearest.point};
     if (is_segment(nearest.element)) continue;
     samples[i].piece = flat_faces_->piece_of(nearest.element);

@@ -61,7 +61,7 @@ class BrepDistanceField final : public DistanceField {
 
   Brep brep_;
   std::vector<Segment> segments_;
-  std::vector<Trim> trims_;            ///< of each face
+  std::vector<Trim> trims_;  ///< of each face
   std::vector<double> triangle_deflection_;
   std::vector<double> edge_deflection_;
   double deflection_ = 0.0;

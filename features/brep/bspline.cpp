@@ -57,10 +57,9 @@ void BsplineBasis::evaluate(double t, Values& values) const {
   for (int r = 0; r <= p; ++r) {
     values.derivative[0][r] = table[r][p];
     values.derivative[1][r] = differentiate(r, p, [&](int s) { return lower(s, p - 1); });
-    values.derivative[2][r] =
-        p < 2 ? 0.0 : differentiate(r, p, [&](int s) {
-          return differentiate(s, p - 1, [&](int q) { return lower(q, p - 2); });
-        });
+    values.derivative[2][r] = p < 2 ? 0.0 : differentiate(r, p, [&](int s) {
+      return differentiate(s, p - 1, [&](int q) { return lower(q, p - 2); });
+    });
   }
 }
 
@@ -93,9 +92,9 @@ SurfacePoint BsplineSurface::at(const Eigen::Vector2d& uv) const {
   s.dv = (point(sum[0][1]) - sum[0][1].w() * s.point) / w;
   s.duu = (point(sum[2][0]) - 2.0 * sum[1][0].w() * s.du - sum[2][0].w() * s.point) / w;
   s.dvv = (point(sum[0][2]) - 2.0 * sum[0][1].w() * s.dv - sum[0][2].w() * s.point) / w;
-  s.duv = (point(sum[1][1]) - sum[1][0].w() * s.dv - sum[0][1].w() * s.du -
-           sum[1][1].w() * s.point) /
-          w;
+  s.duv =
+      (point(sum[1][1]) - sum[1][0].w() * s.dv - sum[0][1].w() * s.du - sum[1][1].w() * s.point) /
+      w;
   return s;
 }
 

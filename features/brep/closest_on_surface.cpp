@@ -53,18 +53,17 @@ std::optional<FootPoint> foot_on_cone(const Placement& at, const Vector3d& local
 
 FootPoint foot_on_sphere(const Placement& at, const Vector3d& local, const Vector2d& start) {
   const double u = angle_of(local.x(), local.y(), at.radius, start.x());
-  const double v =
-      angle_of(std::hypot(local.x(), local.y()), local.z(), at.radius, start.y());
-  return {{u, v},
-          at.origin + at.radius * (std::cos(v) * on_circle(at, u) + std::sin(v) * at.z)};
+  const double v = angle_of(std::hypot(local.x(), local.y()), local.z(), at.radius, start.y());
+  return {{u, v}, at.origin + at.radius * (std::cos(v) * on_circle(at, u) + std::sin(v) * at.z)};
 }
 
 FootPoint foot_on_torus(const Placement& at, const Vector3d& local, const Vector2d& start) {
   const double u = angle_of(local.x(), local.y(), at.radius, start.x());
-  const double v = angle_of(std::hypot(local.x(), local.y()) - at.radius, local.z(),
-                            at.minor_radius, start.y());
-  return {{u, v}, at.origin + (at.radius + at.minor_radius * std::cos(v)) * on_circle(at, u) +
-                      at.minor_radius * std::sin(v) * at.z};
+  const double v =
+      angle_of(std::hypot(local.x(), local.y()) - at.radius, local.z(), at.minor_radius, start.y());
+  return {{u, v},
+          at.origin + (at.radius + at.minor_radius * std::cos(v)) * on_circle(at, u) +
+              at.minor_radius * std::sin(v) * at.z};
 }
 
 // The second derivatives of half the squared distance, and what they would be on a plane.

@@ -9,8 +9,7 @@ void FlatFaces::Selection::add(std::uint32_t triangle, const Triangle& corners) 
   mesh.triangles.push_back(corners);
 }
 
-FlatFaces::FlatFaces(const Brep& brep, double edge_deflection)
-    : edge_deflection_(edge_deflection) {
+FlatFaces::FlatFaces(const Brep& brep, double edge_deflection) : edge_deflection_(edge_deflection) {
   const auto count = static_cast<std::uint32_t>(brep.mesh.triangles.size());
   for (Selection* selection : {&planar_, &straight_}) {
     selection->mesh.vertices = brep.mesh.vertices;

@@ -7,6 +7,7 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Eigen/Geometry>
 #include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom2d_Line.hxx>
@@ -36,10 +37,6 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Ax3.hxx>
 
-
-
-#include <Eigen/Geometry>
-
 #include "features/brep/bspline.h"
 #include "features/brep/occt_shape.h"
 #include "features/brep/refine_tessellation.h"
@@ -60,9 +57,7 @@ constexpr int default_segments = 32;
 Vector3d to_vector(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
 Vector2d to_vector(const gp_XY& v) { return {v.X(), v.Y()}; }
 
-[[noreturn]] void throw_singular() {
-  throw InvalidInput("a curve or surface cannot be evaluated");
-}
+[[noreturn]] void throw_singular() { throw InvalidInput("a curve or surface cannot be evaluated"); }
 
 class OcctSurface final : public ParametricSurface {
  public:
@@ -154,7 +149,8 @@ std::shared_ptr<const ParametricCurve> make_curve(const Handle(Geom_Curve) & cur
   const auto copy = Handle(Geom_BSplineCurve)::DownCast(spline->Copy());
   copy->SetNotPeriodic();
   std::vector<Eigen::Vector4d> poles;
-  for (int i = 1; i <= copy->NbPoles(); ++i) poles.push_back(to_pole(copy->Pole(i), copy->Weight(i)));
+  for (int i = 1; i <= copy->NbPoles(); ++i)
+    poles.push_back(to_pole(copy->Pole(i), copy->Weight(i)));
   return std::make_shared<BsplineCurve>(to_basis(copy->Degree(), copy->KnotSequence()),
                                         std::move(poles));
 }
@@ -377,9 +373,8 @@ class Builder {
     if (added.kind != CurveKind::line) {
       const int segments = nodes.has_parameters() ? nodes.polygon->NbNodes() - 1 : default_segments;
       for (int i = 0; i <= segments; ++i) {
-        added.parameters.push_back(nodes.has_parameters()
-                                       ? nodes.polygon->Parameter(i + 1)
-                                       : first + (last - first) * i / segments);
+        added.parameters.push_back(nodes.has_parameters() ? nodes.polygon->Parameter(i + 1)
+                                                          : first + (last - first) * i / segments);
       }
     }
     brep_.edges.push_back(std::move(added));
@@ -422,7 +417,7 @@ class Builder {
   const TopoDS_Shape& shape_;
   Brep brep_;
   double deflection_ = 0.0;
-  TopTools_IndexedMapOfShape edges_;       ///< those that were added
+  TopTools_IndexedMapOfShape edges_;      ///< those that were added
   std::set<std::pair<int, int>> chords_;  ///< of the curved edges of a face, by nodes
 };
 

@@ -86,7 +86,7 @@ OcctFile read_iges(const std::filesystem::path& path) {
 }  // namespace
 
 OcctFile read_occt_file(const std::filesystem::path& path) {
-  read_beginning(path, 1);  // says why a file cannot be opened
+  read_beginning(path, 1);                                // says why a file cannot be opened
   Message::DefaultMessenger()->ChangePrinters().Clear();  // OpenCASCADE would write to the console
   OcctFile file = is_iges(path) ? read_iges(path) : read_step(path);
   if (file.shape.IsNull()) throw InvalidInput("holds no shape");

@@ -13,8 +13,8 @@ namespace mdbd {
 
 /// What a CAD file holds.
 struct BrepFile {
-  std::string format;    ///< "step" or "iges"
-  std::string file_unit; ///< the unit of length that the file states, such as "INCH"; may be empty
+  std::string format;     ///< "step" or "iges"
+  std::string file_unit;  ///< the unit of length that the file states, such as "INCH"; may be empty
   /// The boundary; coordinates in millimetres, whatever the unit of the file.
   Brep brep;
   std::size_t solids = 0;

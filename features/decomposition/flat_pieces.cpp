@@ -45,10 +45,8 @@ std::array<Eigen::Vector3d, 6> hexagon(const Eigen::Vector3d& center, double rad
 
 const FlatPiece* FlatPieces::around(const DistanceSample& sample) {
   if (sample.piece.empty() && !(sample.flat_region.radius > 0)) return nullptr;
-  const double inner =
-      sample.piece.empty() ? 0.0 : clearance(sample.piece, sample.closest);
-  const double least = std::max(least_gain * inner,
-                                least_radius * std::abs(sample.distance));
+  const double inner = sample.piece.empty() ? 0.0 : clearance(sample.piece, sample.closest);
+  const double least = std::max(least_gain * inner, least_radius * std::abs(sample.distance));
   if (apothem * sample.flat_region.radius > least) return find_disc(sample);
   if (sample.piece.empty()) return nullptr;
   const auto [entry, is_new] = polygons_.try_emplace(sample.piece.data());

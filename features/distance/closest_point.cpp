@@ -161,8 +161,7 @@ void find_near_triangles(const TriangleTree& tree, const Eigen::Vector3d& point,
         }
       });
   const double limit = std::sqrt(nearest) + slack;
-  std::erase_if(found,
-                [&](const ClosestPoint& c) { return c.squared_distance > limit * limit; });
+  std::erase_if(found, [&](const ClosestPoint& c) { return c.squared_distance > limit * limit; });
   std::ranges::sort(found, [](const ClosestPoint& a, const ClosestPoint& b) {
     return std::pair(a.squared_distance, a.triangle) < std::pair(b.squared_distance, b.triangle);
   });

@@ -26,7 +26,8 @@ bool may_be_another_text(const std::filesystem::path& path) {
 std::span<const std::string_view> shape_file_extensions() {
   static const std::vector<std::string_view> all = [] {
     std::vector<std::string_view> extensions;
-    for (const auto of_kind : {mesh_file_extensions(), brep_file_extensions(), point_cloud_file_extensions()}) {
+    for (const auto of_kind :
+         {mesh_file_extensions(), brep_file_extensions(), point_cloud_file_extensions()}) {
       extensions.insert(extensions.end(), of_kind.begin(), of_kind.end());
     }
     return extensions;

@@ -105,8 +105,8 @@ TEST_CASE("flat pieces belong to the boundary") {
       const Eigen::Vector3d first = region.normal.unitOrthogonal();
       const Eigen::Vector3d second = region.normal.cross(first);
       for (int i = 0; i < 8; ++i) {
-        CHECK(is_boundary(sample.closest + region.radius * (std::cos(i) * first +
-                                                            std::sin(i) * second)));
+        CHECK(is_boundary(sample.closest +
+                          region.radius * (std::cos(i) * first + std::sin(i) * second)));
       }
     }
   }

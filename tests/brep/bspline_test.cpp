@@ -71,8 +71,8 @@ TEST_CASE("a spline surface has the derivatives of differences") {
       CHECK((s.dv - (point(u, v + h) - point(u, v - h)) / (2 * h)).norm() < 1e-8);
       CHECK((s.duu - (point(u + h, v) - 2 * s.point + point(u - h, v)) / (h * h)).norm() < 1e-4);
       CHECK((s.dvv - (point(u, v + h) - 2 * s.point + point(u, v - h)) / (h * h)).norm() < 1e-4);
-      const Vector3d mixed = point(u + h, v + h) - point(u + h, v - h) - point(u - h, v + h) +
-                             point(u - h, v - h);
+      const Vector3d mixed =
+          point(u + h, v + h) - point(u + h, v - h) - point(u - h, v + h) + point(u - h, v - h);
       CHECK((s.duv - mixed / (4 * h * h)).norm() < 1e-4);
     }
   }

@@ -103,7 +103,8 @@ TEST_CASE("mutated CAD files cost themselves and nothing else") {
   Mutator mutator(7);
   for (const auto& [ending, content] : sound_cad_files()) {
     for (int i = 0; i < mutation_count(); ++i) {
-      const std::string outcome = read_isolated(folder.write("bad" + ending, mutator.mutate(content)));
+      const std::string outcome =
+          read_isolated(folder.write("bad" + ending, mutator.mutate(content)));
       CHECK_FALSE(outcome.empty());
       if (outcome.find("signal") != outcome.npos) ++crashes;
     }

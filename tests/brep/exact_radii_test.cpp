@@ -99,8 +99,7 @@ TEST_CASE("beside a cylindrical hole four balls touch the hole and two walls") {
   const double radius = (2 * std::sqrt(2.0) - 1) / (1 + std::sqrt(2.0));
   const auto hole =
       OcctSolid::cylinder(1.0, 4.0).moved(Eigen::Isometry3d(Eigen::Translation3d(0, 0, -2)));
-  const auto solid =
-      OcctSolid::box({-2, -2, -2}, {2, 2, 2}).without(hole);
+  const auto solid = OcctSolid::box({-2, -2, -2}, {2, 2, 2}).without(hole);
   check_exact(solid, times(8, radius));
 }
 
@@ -118,9 +117,8 @@ TEST_CASE("in a box with fillets the balls in the corners touch the corner spher
 }
 
 TEST_CASE("a moved solid has the same balls") {
-  const Eigen::Isometry3d motion =
-      Eigen::Translation3d(30, -20, 10) *
-      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized());
+  const Eigen::Isometry3d motion = Eigen::Translation3d(30, -20, 10) *
+                                   Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized());
   const auto solid = OcctSolid::box({-1, -1, -1}, {1, 1, 2}).with_fillets(0.3);
   const auto found = decompose_exactly(solid, 20);
   const auto moved = decompose_exactly(solid.moved(motion), 20);

@@ -23,9 +23,9 @@ class OcctSolid {
   OcctSolid without(const OcctSolid& other) const;
   OcctSolid beside(const OcctSolid& other) const;  ///< an assembly
   OcctSolid moved(const Eigen::Isometry3d& motion) const;
-  OcctSolid as_splines() const;           ///< the same, each surface as rational B-splines
-  OcctSolid inside_out() const;           ///< of negative volume
-  OcctSolid face(int number) const;       ///< one of its faces alone, from 1
+  OcctSolid as_splines() const;      ///< the same, each surface as rational B-splines
+  OcctSolid inside_out() const;      ///< of negative volume
+  OcctSolid face(int number) const;  ///< one of its faces alone, from 1
 
   void write_step(const std::filesystem::path& path, const char* unit = "MM") const;
   /// @param as_faces without solids and shells, the faces alone
