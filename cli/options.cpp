@@ -3,9 +3,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include "features/core/length_unit.h"
 
 namespace mdbd {
 
@@ -70,6 +74,14 @@ CLI::Option* add_solidify_option(CLI::App& app, std::optional<std::string>& soli
       ->check(CLI::IsMember({"auto", "off"}))
       ->type_name("MODE")
       ->default_str("auto");
+}
+
+CLI::Option* add_unit_option(CLI::App& app, std::string& unit, const std::string& description) {
+  std::vector<std::string> names;
+  for (const LengthUnit& known : length_units) names.emplace_back(known.name);
+  return app.add_option("--unit", unit, description)
+      ->check(CLI::IsMember(names).description(""))
+      ->type_name("mm|cm|m|inch|ft");
 }
 
 std::string format_size(std::uint64_t bytes) {

@@ -37,6 +37,9 @@ CLI::Option* add_denoise_option(CLI::App& app, std::optional<std::string>& denoi
 /// Adds `--solidify auto|off`, Recipe::solidify; stays empty if it is not given.
 CLI::Option* add_solidify_option(CLI::App& app, std::optional<std::string>& solidify);
 
+/// Adds `--unit UNIT`, one of length_units; stays empty if it is not given.
+CLI::Option* add_unit_option(CLI::App& app, std::string& unit, const std::string& description);
+
 /// A number of bytes for people: "2 GiB", "512 MiB", "1.5 KiB", "17 B".
 std::string format_size(std::uint64_t bytes);
 

@@ -20,6 +20,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
   ${CMAKE_CURRENT_LIST_DIR}/assimp.cmake
   ${CMAKE_CURRENT_LIST_DIR}/flann.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/occt.cmake
   ${CMAKE_CURRENT_LIST_DIR}/pcl.cmake
   ${CMAKE_CURRENT_LIST_DIR}/vtk.cmake
   DESTINATION ${package_directory})

@@ -5,6 +5,7 @@
 #include "features/distance/point_cloud_distance_field.h"
 #include "features/point_cloud/oriented_cloud.h"
 #include "features/shape_io/read_point_cloud.h"
+#include "features/shape_unit.h"
 
 namespace mdbd {
 namespace {
@@ -16,6 +17,7 @@ constexpr double least_radius_in_spacings = 1.0;
 std::string describe_cloud(const PointCloudFile& file, const OrientedCloud& oriented) {
   const nlohmann::ordered_json record = {
       {"points", oriented.points.size()},
+      {"unit", unknown_unit},
       {"points_not_finite", file.points_not_finite},
       {"points_duplicate", file.points_duplicate},
       {"points_outlier", oriented.outliers},

@@ -10,6 +10,7 @@
 #include "features/denoise/denoise_mesh.h"
 #include "features/distance/mesh_distance_field.h"
 #include "features/shape_io/read_mesh.h"
+#include "features/shape_unit.h"
 #include "features/solidify/orient_shells.h"
 #include "features/solidify/solidify_mesh.h"
 
@@ -79,7 +80,7 @@ PreparedMesh prepare(TriangleMesh mesh, const MeshStatistics& statistics, const 
 /// The record of a mesh with what was done to it.
 std::string describe_preparation(const MeshFile& file, const PreparedMesh& prepared) {
   auto record = nlohmann::ordered_json::parse(to_json(file.statistics));
-  if (!file.unit.empty()) record["unit"] = file.unit;
+  record["unit"] = file.unit.empty() ? std::string(unknown_unit) : file.unit;
   record["faces_turned"] = prepared.faces_turned;
   record["noise"] = prepared.noise;
   record["denoise_filter"] = prepared.noise > 0.0 ? "umbrella" : "none";

@@ -4,6 +4,7 @@
 
 #include "features/distance/planar_distance_field.h"
 #include "features/shape_io/read_planar_domain.h"
+#include "features/shape_unit.h"
 
 namespace mdbd {
 namespace {
@@ -15,11 +16,10 @@ std::size_t count_vertices(const PlanarDomain& domain) {
 }
 
 Shape to_shape(const PlanarFile& file) {
-  const nlohmann::ordered_json record = {{"outlines_read", file.outlines_read},
-                                         {"outlines", file.domain.size()},
-                                         {"vertices", count_vertices(file.domain)},
-                                         {"area", area(file.domain)},
-                                         {"inside", "even-odd rule"}};
+  const nlohmann::ordered_json record = {
+      {"unit", unknown_unit},           {"outlines_read", file.outlines_read},
+      {"outlines", file.domain.size()}, {"vertices", count_vertices(file.domain)},
+      {"area", area(file.domain)},      {"inside", "even-odd rule"}};
   return {.format = file.format,
           .representation = "planar domain",
           .statistics = record.dump(),

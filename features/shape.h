@@ -12,10 +12,10 @@
 namespace mdbd {
 
 /// A shape, ready to be measured. Each representation makes it in files of its own (mesh_shape.h,
-/// cloud_shape.h, …); behind `field` nothing knows which it was.
+/// brep_shape.h, cloud_shape.h); behind `field` nothing knows which it was.
 struct Shape {
   std::string format;          ///< of the file: "off", "pcd", …
-  std::string representation;  ///< "mesh", "point cloud", "implicit solid", …
+  std::string representation;  ///< "mesh", "point cloud", "B-rep", …
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   std::unique_ptr<const DistanceField> field;
   /// The representation says nothing of smaller balls, which are not placed; object units.

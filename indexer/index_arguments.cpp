@@ -41,6 +41,9 @@ void declare_options(CLI::App& app, IndexArguments& arguments) {
       ->default_str(CLI::detail::to_string(defaults.radius_tolerance));
   add_denoise_option(app, arguments.recipe.denoise);
   add_solidify_option(app, arguments.recipe.solidify);
+  add_unit_option(app, arguments.unit,
+                  "Note this unit of length for files whose format has none, such as STL, as they "
+                  "are computed; STEP and IGES files tell their own");
   add_duration_option(app, "--model-time", options.limits.time, "Time budget of a model");
   add_size_option(app, "--model-memory", options.limits.memory, "Memory budget of a model");
   app.add_flag("--force", options.force, "Compute unchanged and failed models again");

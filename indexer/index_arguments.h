@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "indexer/indexer.h"
@@ -18,6 +19,7 @@ struct IndexArguments {
   std::filesystem::path database;
   RecipeOverrides recipe;
   IndexOptions options;
+  std::string unit;  ///< of files whose format has none; empty if it is not declared
   bool is_dry_run = false;
   bool is_json = false;
   bool is_quiet = false;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/program.h"
+#include "features/shape_unit.h"
 #include "indexer/console_observer.h"
 #include "indexer/index_arguments.h"
 #include "indexer/index_report.h"
@@ -37,8 +38,12 @@ ExitCode run(const mdbd::IndexArguments& arguments) {
   const auto store =
       mdbd::open_index_store(arguments.database, arguments.recipe, arguments.is_dry_run);
   const mdbd::DescribeFunction describe = [&](const std::filesystem::path& path) {
-    return arguments.is_dry_run ? mdbd::ShapeDescription{}
-                                : mdbd::describe_file(path, store->recipe());
+    if (arguments.is_dry_run) return mdbd::ShapeDescription{};
+    mdbd::ShapeDescription description = mdbd::describe_file(path, store->recipe());
+    if (!arguments.unit.empty()) {
+      description.statistics = mdbd::declare_unit(description.statistics, arguments.unit);
+    }
+    return description;
   };
   const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
   console.finish();

@@ -31,7 +31,7 @@ std::vector<float> stored_chirality(const ShapeStore& store, std::int64_t id) {
 std::vector<StoredVector> collect(const ShapeStore& store, const QueryOptions& options,
                                   std::size_t& completed) {
   std::vector<StoredVector> vectors =
-      collect_vectors(store, options.signature, options.filter, completed);
+      collect_vectors(store, options.signature, options.filter, options.unit, completed);
   if (!options.has_chirality) return vectors;
   for (StoredVector& vector : vectors) {
     const std::vector<float> chirality = stored_chirality(store, vector.shape_id);
@@ -90,7 +90,8 @@ QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
                             ? std::move(description.descriptor.values)
                             : std::move(description.fused),
               .chirality = {},
-              .scale = description.decomposition.scale};
+              .scale = scale_in_unit(description.decomposition.scale, description.statistics,
+                                     options_.unit)};
   if (options_.has_chirality) query.chirality = compute_chirality(description.decomposition.balls);
   return answer(file.string(), std::move(query));
 }
@@ -106,7 +107,7 @@ QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
   }
   Query query{.vector = stored_vector(store_, id, options_.signature),
               .chirality = {},
-              .scale = record->scale};
+              .scale = scale_in_unit(record->scale, record->statistics, options_.unit)};
   if (options_.has_chirality) query.chirality = stored_chirality(store_, id);
   return answer(record->path, std::move(query));
 }

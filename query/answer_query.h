@@ -28,6 +28,9 @@ struct QueryOptions {
   std::size_t differences = 0;  ///< how many of the numbers that differ the most are told
   double threshold = std::numeric_limits<double>::infinity();  ///< the largest distance
   CollectionFilter filter = {};
+  /// Sizes are in this unit (length_units): those of models whose unit is recorded are converted,
+  /// others are taken to be in it. Empty: sizes are compared as they are.
+  std::string unit = {};
   bool has_same_size = false;  ///< only models of the query's size: same_size_ratio
 };
 

@@ -40,11 +40,11 @@ class Collection {
   Collection(const ShapeStore& store, const CollectionFilter& filter, std::size_t& completed)
       : radii_metric_(similarity_metric(store.recipe().descriptor_balls, 0.0)) {
     std::size_t none = 0;
-    for (StoredVector& vector : collect_vectors(store, SignatureKind::mdbd_100, filter, none)) {
+    for (StoredVector& vector : collect_vectors(store, SignatureKind::mdbd_100, filter, {}, none)) {
       descriptors_[vector.shape_id] = std::move(vector.values);
     }
     std::vector<StoredVector> fused =
-        collect_vectors(store, SignatureKind::mdbd_fused, filter, completed);
+        collect_vectors(store, SignatureKind::mdbd_fused, filter, {}, completed);
     // Another process may have added a model between the two readings.
     std::erase_if(
         fused, [&](const StoredVector& vector) { return !descriptors_.contains(vector.shape_id); });

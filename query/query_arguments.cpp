@@ -51,8 +51,8 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "or in another format, with the evidence for each; nothing is deleted. Models "
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100");
-  for (const char* other :
-       {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain", "--same-size"}) {
+  for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
+                            "--same-size", "--unit"}) {
     duplicates->excludes(app.get_option(other));
   }
 }
@@ -81,6 +81,10 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
                "Tell left from right: show for each model whether it is of the same hand or "
                "mirrored, and add the difference to the distance");
   declare_filters(app, arguments);
+  add_unit_option(app, options.unit,
+                  "Sizes in this unit: those of models whose unit is known, as of STEP files, are "
+                  "converted, all others are taken to be in it. Without it sizes are compared as "
+                  "they are in the files");
   app.add_flag("--same-size", options.has_same_size,
                "Only models whose R is within 1 % of that of the query");
   auto* explain = app.add_flag("--explain", arguments.is_explained,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "features/core/triangle.h"
 #include "features/core/vectorised.h"
@@ -123,6 +124,47 @@ ClosestPoint find_closest_point(const TriangleTree& tree, const Eigen::Vector3d&
       });
   candidates.resolve(tree, point, best);
   return best;
+}
+
+MDBD_VECTORISED
+void find_near_triangles(const TriangleTree& tree, const Eigen::Vector3d& point, double slack,
+                         double bound, std::vector<ClosestPoint>& found) {
+  const Eigen::Vector3d local = (point - tree.origin()) * tree.inverse_extent();
+  const TreePoint p{static_cast<float>(local.x()), static_cast<float>(local.y()),
+                    static_cast<float>(local.z())};
+  const double margin =
+      1e-6 * (1.0 + local.lpNorm<Eigen::Infinity>()) + slack * tree.inverse_extent();
+  const TriangleBlock* const blocks = tree.blocks().data();
+  // As with Candidates: what is farther, squared, is not near.
+  const auto reach_of = [&](double distance) {
+    const auto reach = static_cast<float>(distance + margin);
+    return reach * reach * (1.0F + 1e-6F);
+  };
+  float reach = reach_of(bound * tree.inverse_extent());
+  double nearest = std::numeric_limits<double>::infinity();
+  found.clear();
+  visit_leaves_within<TriangleTree::max_stack_size>(
+      tree.nodes(), p, [&] { return reach; },
+      [&](const TreeLeaf& leaf) MDBD_PART_OF_CALLER {
+        alignas(32) Lanes squared;
+        triangle_distances(blocks[leaf.block], p, squared);
+        if (smallest(squared) > reach) return;
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+          if (squared[i] > reach) continue;
+          const std::uint32_t triangle = leaf.first + i;
+          const Eigen::Vector3d candidate = closest_point(tree.triangles()[triangle], point);
+          const double exact = (candidate - point).squaredNorm();
+          found.push_back({candidate, exact, triangle});
+          if (exact >= nearest) continue;
+          nearest = exact;
+          reach = std::min(reach, reach_of(std::sqrt(nearest) * tree.inverse_extent()));
+        }
+      });
+  const double limit = std::sqrt(nearest) + slack;
+  std::erase_if(found, [&](const ClosestPoint& c) { return c.squared_distance > limit * limit; });
+  std::ranges::sort(found, [](const ClosestPoint& a, const ClosestPoint& b) {
+    return std::pair(a.squared_distance, a.triangle) < std::pair(b.squared_distance, b.triangle);
+  });
 }
 
 }  // namespace mdbd

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "features/brep/read_brep.h"
 #include "features/core/errors.h"
 #include "features/shape_io/input_file.h"
 #include "features/shape_io/read_mesh.h"
@@ -36,8 +37,8 @@ std::span<const std::string_view> shape_file_extensions() {
   static const std::vector<std::string_view> all = [] {
     std::vector<std::string_view> extensions;
     for (const auto of_kind :
-         {mesh_file_extensions(), point_cloud_file_extensions(), planar_file_extensions(),
-          voxel_file_extensions(), implicit_file_extensions()}) {
+         {mesh_file_extensions(), brep_file_extensions(), point_cloud_file_extensions(),
+          planar_file_extensions(), voxel_file_extensions(), implicit_file_extensions()}) {
       extensions.insert(extensions.end(), of_kind.begin(), of_kind.end());
     }
     return extensions;

@@ -75,6 +75,12 @@ mdbd_cli_test(NAME index/interrupted EXIT 1 SETUP "${copy_models}"
     sleep 1 && kill -INT $! && wait $!"
   REGEXP "interrupted: 1 model left; run the same command to continue")
 
+mdbd_cli_test(NAME index/unit
+  COMMAND sh -c "${index} '${models}' --unit inch --quiet && grep -a -o 'unit.:.inch' mdbd.db"
+  REGEXP "unit.:.inch")
+mdbd_cli_test(NAME index/unknown_unit EXIT 2
+  COMMAND mdbd-index ${models} --unit parsec REGEXP "--unit: [^\n]*parsec")
+
 mdbd_cli_test(NAME index/missing_path EXIT 1
   COMMAND sh -c "${index} typo || ! test -e mdbd.db || exit 2 && exit 1"
   REGEXP "mdbd-index: error: [^\n]*/typo: No such file or directory")

@@ -128,7 +128,8 @@ TEST_CASE("the record of a drawing says what it is") {
   const Shape shape = load_shape(path, {});
   CHECK(shape.format == "svg");
   CHECK(shape.representation == "planar domain");
-  CHECK(shape.statistics ==
-        R"({"outlines_read":1,"outlines":1,"vertices":4,"area":12.0,"inside":"even-odd rule"})");
+  CHECK(
+      shape.statistics ==
+      R"({"unit":"unknown","outlines_read":1,"outlines":1,"vertices":4,"area":12.0,"inside":"even-odd rule"})");
   CHECK(shape.field->enclosing_ball().radius == Approx(2.5));
 }

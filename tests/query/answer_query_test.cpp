@@ -1,6 +1,9 @@
 #include "query/answer_query.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -54,6 +57,37 @@ TEST_CASE("mdbd-100 is what is compared unless something else is asked for") {
   const QueryAnswer answer = query_by_id(*store, id, {.count = 2});
   CHECK(answer.completed == 0);
   CHECK(answer.result.matches.at(1).distance == Approx(4 * std::sqrt(50.0)));
+}
+
+TEST_CASE("with a unit sizes are comparable, and those of models without one are taken to be in it") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const auto put = [&](const std::string& path, double scale, const std::string& statistics) {
+    ShapeRecord record;
+    record.path = path;
+    record.scale = scale;
+    record.statistics = statistics;
+    return store->put(record, {.balls = random_balls(30, 1),
+                               .signature = std::vector<float>(100, 1.0F),
+                               .fused = {}});
+  };
+  const auto id = put("/part.step", 50.8, R"({"unit":"mm"})");
+  put("/part.stl", 2.0, R"({"unit":"unknown"})");
+  put("/declared.stl", 2.0, R"({"unit":"inch","unit_declared":true})");
+  put("/other.stl", 50.8, R"({"unit":"unknown"})");
+  const auto paths = [&](const std::string& unit) {
+    std::vector<std::string> found;
+    const QueryOptions options{.unit = unit, .has_same_size = true};
+    for (const Match& match : query_by_id(*store, id, options).result.matches) {
+      found.push_back(match.path);
+    }
+    std::ranges::sort(found);
+    return found;
+  };
+  using Paths = std::vector<std::string>;
+  CHECK(paths("") == Paths{"/other.stl", "/part.step"});
+  CHECK(paths("inch") == Paths{"/declared.stl", "/part.step", "/part.stl"});
+  CHECK(paths("mm") == Paths{"/declared.stl", "/other.stl", "/part.step"});
 }
 
 TEST_CASE("with chirality a mirrored twin comes after the one of the same hand") {

@@ -1,0 +1,169 @@
+#include "features/brep/exact_enclosing_ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "features/distance/enclosing_ball.h"
+
+namespace mdbd {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double precision = 1e-13;
+// Points closer to each other than this, relative to the radius, are one: the ball of points that
+// are almost the same is lost in rounding.
+constexpr double least_distance = 1e-3;
+constexpr int max_rounds = 60;
+constexpr int max_steps = 40;
+
+// The step of Newton's method for half the squared distance from a centre; where that has no
+// maximum nearby, a step uphill of the length of a triangle.
+Vector2d ascent_step(const SurfacePoint& s, const Vector3d& offset, double length) {
+  const Vector2d gradient(offset.dot(s.du), offset.dot(s.dv));
+  Eigen::Matrix2d metric;
+  metric << s.du.dot(s.du), s.du.dot(s.dv), s.du.dot(s.dv), s.dv.dot(s.dv);
+  Eigen::Matrix2d hessian = metric;
+  hessian(0, 0) += offset.dot(s.duu);
+  hessian(0, 1) += offset.dot(s.duv);
+  hessian(1, 0) += offset.dot(s.duv);
+  hessian(1, 1) += offset.dot(s.dvv);
+  if (hessian(0, 0) < 0 && hessian.determinant() > 0) return -hessian.inverse() * gradient;
+  Vector2d uphill = gradient;
+  if (metric.determinant() > 1e-12 * metric(0, 0) * metric(1, 1)) {
+    uphill = metric.inverse() * gradient;
+  }
+  const double speed = (uphill.x() * s.du + uphill.y() * s.dv).norm();
+  return speed > 0 ? Vector2d(uphill * (length / speed)) : Vector2d::Zero();
+}
+
+class Growth {
+ public:
+  Growth(const Brep& brep, std::span<const Trim> trims, double deflection)
+      : brep_(brep),
+        trims_(trims),
+        deflection_(deflection),
+        node_count_(brep.mesh.vertices.size()),
+        points_(brep.mesh.vertices) {}
+
+  Ball run() {
+    Ball ball = enclosing_ball(points_);
+    for (int round = 0; round < max_rounds; ++round) {
+      const double farthest = add_outside(ball);
+      if (farthest <= ball.radius * (1 + precision)) return ball;
+      const Ball larger = enclosing_ball(points_);
+      if (larger.radius <= ball.radius) return {ball.center, farthest};
+      ball = larger;
+    }
+    return {ball.center, std::max(ball.radius, add_outside(ball))};
+  }
+
+ private:
+  // Adds the local maxima outside a ball. Returns the largest distance from its centre.
+  double add_outside(const Ball& ball) {
+    double farthest = ball.radius;
+    const auto consider = [&](const Vector3d& point) {
+      const double distance = (point - ball.center).norm();
+      if (distance > ball.radius * (1 + precision)) add(point, ball);
+      farthest = std::max(farthest, distance);
+    };
+    for (std::size_t t = 0; t < brep_.mesh.triangles.size(); ++t) {
+      if (!brep_.faces[brep_.face_of[t]].is_polygon && may_stick_out(t, ball)) {
+        climb(t, ball.center, consider);
+      }
+    }
+    for (const BrepEdge& edge : brep_.edges) {
+      if (edge.kind != CurveKind::line) climb(edge, ball, consider);
+    }
+    return farthest;
+  }
+
+  // In place of an earlier point of the same bulge.
+  void add(const Vector3d& point, const Ball& ball) {
+    const double squared = least_distance * least_distance * ball.radius * ball.radius;
+    const auto same = std::find_if(
+        points_.begin() + static_cast<std::ptrdiff_t>(node_count_), points_.end(),
+        [&](const Vector3d& known) { return (known - point).squaredNorm() < squared; });
+    if (same == points_.end()) {
+      points_.push_back(point);
+    } else if ((*same - ball.center).squaredNorm() < (point - ball.center).squaredNorm()) {
+      *same = point;
+    }
+  }
+
+  bool may_stick_out(std::size_t triangle, const Ball& ball) const {
+    return std::ranges::any_of(brep_.mesh.triangles[triangle], [&](std::uint32_t corner) {
+      return (brep_.mesh.vertices[corner] - ball.center).norm() + deflection_ > ball.radius;
+    });
+  }
+
+  template <typename Visitor>
+  void climb(std::size_t triangle, const Vector3d& center, const Visitor& consider) const {
+    const auto& [a, b, c] = brep_.mesh.triangles[triangle];
+    const BrepFace& face = brep_.faces[brep_.face_of[triangle]];
+    const Trim& trim = trims_[brep_.face_of[triangle]];
+    const double length = (brep_.mesh.vertices[b] - brep_.mesh.vertices[a]).norm();
+    Vector2d uv = (brep_.parameters[a] + brep_.parameters[b] + brep_.parameters[c]) / 3.0;
+    SurfacePoint s = face.surface->at(uv);
+    for (int i = 0; i < max_steps; ++i) {
+      const Vector3d offset = s.point - center;
+      Vector2d step = ascent_step(s, offset, length);
+      Vector2d next = uv + step;
+      SurfacePoint at_next = s;
+      for (int halvings = 0; halvings < 30; ++halvings) {
+        next = limit(uv + step, face, trim);
+        at_next = face.surface->at(next);
+        if ((at_next.point - center).squaredNorm() > offset.squaredNorm()) break;
+        step *= 0.5;
+      }
+      if ((at_next.point - center).squaredNorm() <= offset.squaredNorm()) break;
+      uv = next;
+      s = at_next;
+    }
+    if (trim.contains(uv)) consider(s.point);
+  }
+
+  static Vector2d limit(Vector2d uv, const BrepFace& face, const Trim& trim) {
+    for (int i = 0; i < 2; ++i) {
+      if (!(face.period[i] > 0)) uv[i] = std::clamp(uv[i], trim.lower()[i], trim.upper()[i]);
+    }
+    return uv;
+  }
+
+  // The largest distance between two nodes by ternary search, to half the digits, which is all that
+  // a maximum needs.
+  template <typename Visitor>
+  void climb(const BrepEdge& edge, const Ball& ball, const Visitor& consider) const {
+    const auto distance = [&](double t) { return (edge.curve->at(t).point - ball.center).norm(); };
+    for (std::size_t i = 0; i + 1 < edge.parameters.size(); ++i) {
+      double low = edge.parameters[i];
+      double high = edge.parameters[i + 1];
+      if (std::max(distance(low), distance(high)) + deflection_ <= ball.radius) continue;
+      for (int step = 0; step < 60; ++step) {
+        const double left = low + (high - low) / 3.0;
+        const double right = high - (high - low) / 3.0;
+        (distance(left) < distance(right) ? low : high) =
+            distance(left) < distance(right) ? left : right;
+      }
+      consider(edge.curve->at(low).point);
+    }
+  }
+
+  const Brep& brep_;
+  std::span<const Trim> trims_;
+  double deflection_;
+  std::size_t node_count_;
+  std::vector<Vector3d> points_;  ///< the nodes, then those that were added
+};
+
+}  // namespace
+
+Ball exact_enclosing_ball(const Brep& brep, std::span<const Trim> trims, double deflection) {
+  return Growth(brep, trims, deflection).run();
+}
+
+}  // namespace mdbd

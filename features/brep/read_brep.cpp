@@ -1,0 +1,120 @@
+// Chooses what of a file is measured.
+#include "features/brep/read_brep.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
+#include <fmt/format.h>
+
+#include "features/brep/occt_shape.h"
+#include "features/core/errors.h"
+#include "features/shape_io/text_cursor.h"
+
+namespace mdbd {
+namespace {
+
+constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs"};
+// By how much the edges of faces that are to be sewn may differ; millimetres.
+constexpr double sewing_tolerance = 1e-3;
+
+std::size_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                  TopAbs_ShapeEnum outside = TopAbs_SHAPE) {
+  std::size_t number = 0;
+  for (TopExp_Explorer it(shape, kind, outside); it.More(); it.Next()) ++number;
+  return number;
+}
+
+// A solid that is inside out has a negative volume.
+bool turn_outward(TopoDS_Shape& solid) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(solid, properties);
+  if (properties.Mass() >= 0) return false;
+  solid.Reverse();
+  return true;
+}
+
+TopoDS_Shape collect_solids(const TopoDS_Shape& shape, std::size_t wanted, BrepFile& file) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    ++file.solids;
+    if (wanted != 0 && file.solids != wanted) continue;
+    TopoDS_Shape solid = it.Current();
+    if (turn_outward(solid)) ++file.solids_turned;
+    builder.Add(all, solid);
+  }
+  if (wanted > file.solids) throw InvalidInput(fmt::format("has no solid {}", wanted));
+  return all;
+}
+
+TopoDS_Shape sew(const TopoDS_Shape& shape, BrepFile& file) {
+  BRepBuilderAPI_Sewing sewing(sewing_tolerance);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) sewing.Add(it.Current());
+  sewing.Perform();
+  file.is_sewn = true;
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (TopExp_Explorer it(sewing.SewedShape(), TopAbs_SHELL); it.More(); it.Next()) {
+    if (!BRep_Tool::IsClosed(it.Current())) return sewing.SewedShape();
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, it.Current());
+    if (turn_outward(solid)) ++file.solids_turned;
+    builder.Add(all, solid);
+    ++file.solids;
+  }
+  if (count(sewing.SewedShape(), TopAbs_FACE, TopAbs_SHELL) > 0) return sewing.SewedShape();
+  return all;
+}
+
+BrepFile read(const std::filesystem::path& path, std::size_t wanted) {
+  OcctFile read = read_occt_file(path);
+  BrepFile file;
+  file.format = read.format;
+  file.file_unit = read.unit;
+  const std::size_t solids = count(read.shape, TopAbs_SOLID);
+  if (solids == 0 && count(read.shape, TopAbs_FACE) == 0) {
+    throw InvalidInput("holds no faces: curves or points only, or nothing that is understood");
+  }
+  file.faces_ignored = solids > 0 ? count(read.shape, TopAbs_FACE, TopAbs_SOLID) : 0;
+  const TopoDS_Shape chosen =
+      solids > 0 ? collect_solids(read.shape, wanted, file) : sew(read.shape, file);
+  file.faces = count(chosen, TopAbs_FACE);
+  if (file.faces == 0) throw InvalidInput("holds no faces that could be used");
+  file.brep = make_brep(chosen);
+  return file;
+}
+
+}  // namespace
+
+std::span<const std::string_view> brep_file_extensions() { return extensions; }
+
+bool is_brep_file(const std::filesystem::path& path) {
+  return std::ranges::any_of(extensions, [&](std::string_view extension) {
+    return equals_ignoring_case(path.extension().string(), extension);
+  });
+}
+
+BrepFile read_brep(const std::filesystem::path& path, std::size_t solid) {
+  try {
+    return read(path, solid);
+  } catch (const Standard_Failure& failure) {
+    const std::string_view text = failure.GetMessageString();
+    throw InvalidInput(fmt::format("damaged: {}{}{}", failure.DynamicType()->Name(),
+                                   text.empty() ? "" : ": ", text));
+  }
+}
+
+}  // namespace mdbd

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "features/shape.h"
+
+namespace mdbd {
+
+/// The shape of a file that read_brep() reads. Faces that enclose nothing go the way of meshes, as
+/// their tessellation.
+/// @throws IoError, InvalidInput as load_shape()
+Shape load_brep_shape(const std::filesystem::path& path, const Recipe& recipe);
+
+}  // namespace mdbd
