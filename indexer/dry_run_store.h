@@ -31,6 +31,7 @@ class DryRunStore final : public ShapeStore {
   std::vector<StoredVector> vectors(std::string_view signature) const override {
     return store_ ? store_->vectors(signature) : std::vector<StoredVector>{};
   }
+  std::string revision() const override { return store_ ? store_->revision() : std::string(); }
   std::vector<std::int64_t> shapes_without(std::string_view signature) const override {
     return store_ ? store_->shapes_without(signature) : std::vector<std::int64_t>{};
   }

@@ -184,6 +184,8 @@ std::vector<StoredVector> SqliteShapeStore::vectors(std::string_view signature) 
   return result;
 }
 
+std::string SqliteShapeStore::revision() const { return read_revision(database_); }
+
 template <typename... Values>
 std::vector<ShapeRecord> SqliteShapeStore::select(std::string_view condition,
                                                   const Values&... values) const {

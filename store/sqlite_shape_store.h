@@ -26,6 +26,7 @@ class SqliteShapeStore : public ShapeStore {
   std::vector<std::int64_t> shapes_without(std::string_view signature) const override;
   ShapeData data(std::int64_t id) const override;
   std::vector<StoredVector> vectors(std::string_view signature) const override;
+  std::string revision() const override;
 
  private:
   template <typename... Values>

@@ -452,6 +452,7 @@ TEST_CASE("a store that fails ends the run") {
     ShapeData data(std::int64_t) const override { return {}; }
     std::vector<std::int64_t> shapes_without(std::string_view) const override { return {}; }
     std::vector<StoredVector> vectors(std::string_view) const override { return {}; }
+    std::string revision() const override { return {}; }
 
    private:
     Recipe recipe_;
