@@ -18,7 +18,10 @@ std::vector<float> stored_vector(const ShapeStore& store, std::int64_t id, Signa
 /// The vectors of all indexed models that pass a filter.
 /// @param completed counts up those whose vector had to be computed from their balls
 /// @throws StoreError if the collection cannot be read
-std::vector<StoredVector> collect_vectors(const ShapeStore& store, SignatureKind signature,
-                                          const CollectionFilter& filter, std::size_t& completed);
+VectorTable collect_vectors(const ShapeStore& store, SignatureKind signature,
+                            const CollectionFilter& filter, std::size_t& completed);
+
+/// The rows of a table that pass a filter.
+VectorTable select_vectors(const VectorTable& table, const CollectionFilter& filter);
 
 }  // namespace mdbd

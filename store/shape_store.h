@@ -11,6 +11,7 @@
 
 #include "features/core/recipe.h"
 #include "store/shape_record.h"
+#include "store/vector_table.h"
 
 namespace mdbd {
 
@@ -69,7 +70,8 @@ class ShapeStore {
 
   /// All vectors of a signature, ordered by path; of one state of the collection, even if another
   /// process writes meanwhile.
-  virtual std::vector<StoredVector> vectors(std::string_view signature) const = 0;
+  /// @throws StoreError also if they are not all of one dimension
+  virtual VectorTable vectors(std::string_view signature) const = 0;
 
   /// Names the state of the vectors of all signatures with their paths and scales: another one
   /// after every change, whoever makes it, and never the same for two states, also of two databases
@@ -85,6 +87,11 @@ class ShapeStore {
 ///         to do
 std::unique_ptr<ShapeStore> open_store(const std::filesystem::path& path,
                                        const std::optional<Recipe>& recipe = std::nullopt);
+
+/// As open_store(), but a recipe of its own that an existing database has is no error. What a
+/// killed program left before it wrote anything, an empty file, is a new database.
+std::unique_ptr<ShapeStore> open_or_create_store(const std::filesystem::path& path,
+                                                 const Recipe& recipe_if_new);
 
 /// Opens an existing SQLite database for reading only, also one of an older schema; works in
 /// read-only places. Nothing is created that stays.

@@ -117,12 +117,12 @@ TEST_CASE("readers work on whole models while another process writes") {
   REQUIRE(writer.read_bytes(1) == "+");
   const auto store = open_store_read_only(path);
   for (int i = 0; i < 20; ++i) {
-    const std::vector<StoredVector> vectors = store->vectors(signature_mdbd_100);
+    const VectorTable vectors = store->vectors(signature_mdbd_100);
     REQUIRE(vectors.size() == path_count);
-    for (const StoredVector& vector : vectors) {
+    for (const StoredVector vector : vectors) {
       const int seed = static_cast<int>(vector.values[0]);
       CHECK(vector.path == "/" + std::to_string(seed % path_count) + ".off");
-      CHECK(vector.values == make_data(seed).signature);
+      CHECK(numbers(vector) == make_data(seed).signature);
     }
   }
   CHECK(writer.read_all() == "done");
