@@ -72,29 +72,29 @@ std::string name_of(std::size_t row) { return "/models/" + std::to_string(row) +
 
 }  // namespace
 
-std::vector<StoredVector> mdbd_100_vectors(std::size_t count) {
+VectorTable mdbd_100_vectors(std::size_t count) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   const std::array<Half, 2> spreads = {deviations(radius_variances, radius_decay),
                                        deviations(walk_variances, walk_decay)};
   std::array<Half, 2> centre{};
-  std::vector<StoredVector> vectors(count);
+  VectorTableBuilder vectors;
   for (std::size_t row = 0; row < count; ++row) {
-    vectors[row] = {static_cast<std::int64_t>(row + 1), name_of(row), 1.0, {}};
-    vectors[row].values.reserve(2 * half);
+    std::vector<float> values;
     for (std::size_t part = 0; part < 2; ++part) {
       Half member{};
       for (std::size_t i = 0; i < half; ++i) {
         if (row % cluster_size == 0) centre[part][i] = spreads[part][i] * normal(random);
         member[i] = centre[part][i] + cluster_spread * spreads[part][i] * normal(random);
       }
-      append_transformed(member, vectors[row].values);
+      append_transformed(member, values);
     }
+    vectors.append({static_cast<std::int64_t>(row + 1), name_of(row), 1.0, values});
   }
-  return vectors;
+  return vectors.take();
 }
 
-std::vector<StoredVector> mdbd_fused_vectors(std::size_t count) {
+VectorTable mdbd_fused_vectors(std::size_t count) {
   constexpr std::size_t shapes = 1000;
   constexpr std::size_t balls = 40;
   std::vector<std::vector<float>> signatures;
@@ -107,17 +107,17 @@ std::vector<StoredVector> mdbd_fused_vectors(std::size_t count) {
     signatures.push_back(compute_fused_signature(cloud));
   }
   std::uniform_real_distribution<float> share(0.0F, 1.0F);
-  std::vector<StoredVector> vectors(count);
+  VectorTableBuilder vectors;
   std::vector<float> centre;
   for (std::size_t row = 0; row < count; ++row) {
     if (row % cluster_size == 0) {
       centre = blend(signatures[random() % shapes], signatures[random() % shapes], share(random));
     }
     const float part = fused_spread * share(random);
-    vectors[row] = {static_cast<std::int64_t>(row + 1), name_of(row), 1.0,
-                    blend(centre, signatures[random() % shapes], part)};
+    const std::vector<float> values = blend(centre, signatures[random() % shapes], part);
+    vectors.append({static_cast<std::int64_t>(row + 1), name_of(row), 1.0, values});
   }
-  return vectors;
+  return vectors.take();
 }
 
 }  // namespace mdbd

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "store/shape_record.h"
+#include "store/vector_table.h"
 
 /// Vectors for benchmarks of the search, in clusters as those of real collections; the same at
 /// every run.
@@ -12,10 +11,10 @@ namespace mdbd {
 /// Vectors of 100 numbers whose two halves have, along axes of a cosine transform, the variances
 /// that the radii and walk sums of mdbd-100 have over 2,148 real models (lpsb, kicad, ldraw,
 /// coseg_large): 98 % of the whole in five components. Twenty to a cluster.
-std::vector<StoredVector> mdbd_100_vectors(std::size_t count);
+VectorTable mdbd_100_vectors(std::size_t count);
 
 /// Blends of signatures mdbd-fused of a thousand shapes made of random balls: each cluster blends
 /// two, and each member of it another one in.
-std::vector<StoredVector> mdbd_fused_vectors(std::size_t count);
+VectorTable mdbd_fused_vectors(std::size_t count);
 
 }  // namespace mdbd

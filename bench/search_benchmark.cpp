@@ -43,8 +43,8 @@ struct Matrix {
   }
 };
 
-const std::vector<StoredVector>& vectors(Kind kind, std::size_t count) {
-  static std::map<std::pair<Kind, std::size_t>, std::vector<StoredVector>> made;
+const VectorTable& vectors(Kind kind, std::size_t count) {
+  static std::map<std::pair<Kind, std::size_t>, VectorTable> made;
   const auto key = std::pair(kind, count);
   if (!made.contains(key)) {
     made.clear();  // one at a time: a million take a gigabyte
@@ -53,23 +53,19 @@ const std::vector<StoredVector>& vectors(Kind kind, std::size_t count) {
   return made[key];
 }
 
-Matrix matrix_of(const std::vector<StoredVector>& of) {
-  Matrix matrix{.values = {}, .rows = of.size(), .dimension = of.front().values.size()};
-  matrix.values.reserve(matrix.rows * matrix.dimension);
-  for (const StoredVector& vector : of) {
-    matrix.values.insert(matrix.values.end(), vector.values.begin(), vector.values.end());
-  }
-  return matrix;
+Matrix matrix_of(const VectorTable& of) {
+  const std::span<const float> values = of.arrays().values;
+  return {{values.begin(), values.end()}, of.size(), of.dimension()};
 }
 
 /// Queries between models: each is the mean of two of a cluster.
-std::vector<std::vector<float>> queries(const std::vector<StoredVector>& of) {
+std::vector<std::vector<float>> queries(const VectorTable& of) {
   std::vector<std::vector<float>> result;
   for (std::size_t i = 0; i < query_count; ++i) {
     const std::size_t row = i * (of.size() / query_count);
-    std::vector<float> query = of[row].values;
+    std::vector<float> query(of.values(row).begin(), of.values(row).end());
     for (std::size_t j = 0; j < query.size(); ++j) {
-      query[j] = 0.5F * (query[j] + of[row + 1].values[j]);
+      query[j] = 0.5F * (query[j] + of.values(row + 1)[j]);
     }
     result.push_back(std::move(query));
   }
@@ -77,7 +73,7 @@ std::vector<std::vector<float>> queries(const std::vector<StoredVector>& of) {
 }
 
 template <typename Search>
-void run(benchmark::State& state, const std::vector<StoredVector>& of, const Search& search) {
+void run(benchmark::State& state, const VectorTable& of, const Search& search) {
   const std::vector<std::vector<float>> all = queries(of);
   std::size_t next = 0;
   for (auto _ : state) {
@@ -89,9 +85,8 @@ void run(benchmark::State& state, const std::vector<StoredVector>& of, const Sea
 template <Kind kind, SearchMethod method>
 void exact_search(benchmark::State& state) {
   const auto& of = vectors(kind, static_cast<std::size_t>(state.range(0)));
-  std::vector<StoredVector> copy = of;
   const auto started = std::chrono::steady_clock::now();
-  const ExactSearch search(std::move(copy), make_metric(kind), 1, method);
+  const ExactSearch search(of, make_metric(kind), 1, method);
   const std::chrono::duration<double> built = std::chrono::steady_clock::now() - started;
   std::size_t examined = 0;
   run(state, of, [&](const std::vector<float>& query) {
@@ -166,7 +161,8 @@ void add(const std::string& name, Function function, std::size_t rows) {
 
 template <Kind kind>
 void add_all(const std::string& signature, std::size_t rows) {
-  add(signature + "/index", exact_search<kind, SearchMethod::index>, rows);
+  add(signature + "/tree", exact_search<kind, SearchMethod::tree>, rows);
+  add(signature + "/list", exact_search<kind, SearchMethod::list>, rows);
   add(signature + "/scan", exact_search<kind, SearchMethod::scan>, rows);
   add(signature + "/plain_scan", plain_scan<kind>, rows);
   add(signature + "/flann_linear", flann_index<kind, flann::LinearIndex>, rows);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 
 namespace mdbd {
 
@@ -35,6 +36,25 @@ std::string describe_database(const ShapeStore& store, const DatabaseSize& size)
   text += "recipe\n";
   for (const auto& [name, value] : to_entries(store.recipe())) {
     fmt::format_to(out, "  {:<18} {}\n", name, value);
+  }
+  return text;
+}
+
+std::string describe_caches(const std::filesystem::path& database) {
+  std::map<std::string, std::uint64_t> sizes;
+  const std::filesystem::path folder = database.has_parent_path() ? database.parent_path() : ".";
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(database.filename().string() + ".") || !name.ends_with(".vectors")) {
+      continue;
+    }
+    sizes[name] = entry.file_size(error);
+  }
+  std::string text;
+  for (const auto& [name, size] : sizes) {
+    fmt::format_to(std::back_inserter(text), "cache       {}, {}\n", printable(name),
+                   format_size(size));
   }
   return text;
 }

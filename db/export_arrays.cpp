@@ -46,36 +46,33 @@ void for_each_indexed(const ShapeStore& store,
 
 }  // namespace
 
-std::string models_to_csv(std::span<const StoredVector> vectors) {
+std::string models_to_csv(const VectorTable& vectors) {
   std::string csv = "id,path,scale\n";
-  for (const StoredVector& vector : vectors) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{}\n", vector.shape_id, csv_field(vector.path),
-                   vector.scale);
+  for (const StoredVector vector : vectors) {
+    fmt::format_to(std::back_inserter(csv), "{},{},{}\n", vector.shape_id,
+                   csv_field(std::string(vector.path)), vector.scale);
   }
   return csv;
 }
 
-std::string vectors_to_csv(std::span<const StoredVector> vectors) {
+std::string vectors_to_csv(const VectorTable& vectors) {
   if (vectors.empty()) return {};
   std::string csv = "id,path,scale";
-  for (std::size_t i = 1; i <= vectors.front().values.size(); ++i) csv += fmt::format(",v{}", i);
+  for (std::size_t i = 1; i <= vectors.dimension(); ++i) csv += fmt::format(",v{}", i);
   csv += '\n';
-  for (const StoredVector& vector : vectors) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{}", vector.shape_id, csv_field(vector.path),
-                   vector.scale);
+  for (const StoredVector vector : vectors) {
+    fmt::format_to(std::back_inserter(csv), "{},{},{}", vector.shape_id,
+                   csv_field(std::string(vector.path)), vector.scale);
     for (const float value : vector.values) csv += fmt::format(",{}", value);
     csv += '\n';
   }
   return csv;
 }
 
-std::string vectors_to_npy(std::span<const StoredVector> vectors) {
-  const std::size_t columns = vectors.empty() ? 0 : vectors.front().values.size();
-  std::string content = npy_header("'<f4'", fmt::format("{}, {}", vectors.size(), columns));
-  for (const StoredVector& vector : vectors) {
-    if (vector.values.size() != columns) {
-      throw StoreError(vector.path + ": its vector has another length than the others");
-    }
+std::string vectors_to_npy(const VectorTable& vectors) {
+  std::string content =
+      npy_header("'<f4'", fmt::format("{}, {}", vectors.size(), vectors.dimension()));
+  for (const StoredVector vector : vectors) {
     append_bytes(encode_floats(vector.values), content);
   }
   return content;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "store/shape_store.h"
@@ -11,14 +10,13 @@
 namespace mdbd {
 
 /// "id,path,scale": the models of the rows of vectors_to_npy(), below a header line.
-std::string models_to_csv(std::span<const StoredVector> vectors);
+std::string models_to_csv(const VectorTable& vectors);
 
 /// "id,path,scale,v1,v2,…" below a header line; empty if there are no vectors.
-std::string vectors_to_csv(std::span<const StoredVector> vectors);
+std::string vectors_to_csv(const VectorTable& vectors);
 
 /// A NumPy array (format version 1.0) of float32, a row for each model.
-/// @throws StoreError if not all vectors have the same number of numbers
-std::string vectors_to_npy(std::span<const StoredVector> vectors);
+std::string vectors_to_npy(const VectorTable& vectors);
 
 /// "id,path,ball,x,y,z,r" below a header line; balls in order of placement, from 1.
 std::string balls_to_csv(const ShapeStore& store);

@@ -42,7 +42,8 @@ struct Arguments {
 
 ExitCode show_info(const Arguments& arguments) {
   const auto store = mdbd::open_store_read_only(arguments.database);
-  fmt::print("{}", mdbd::describe_database(*store, mdbd::database_size(arguments.database)));
+  fmt::print("{}{}", mdbd::describe_database(*store, mdbd::database_size(arguments.database)),
+             mdbd::describe_caches(arguments.database));
   return ExitCode::done;
 }
 

@@ -230,8 +230,9 @@ SignatureVectors ModelCache::compute_signature(std::span<const LabelledModel> mo
   const StageRecords clean(*store_, stage_suffix(clean_variant()));
   StageRecords failed(*store_, stage_suffix(signature));
   std::unordered_map<std::int64_t, std::vector<float>> vectors;
-  for (StoredVector& vector : store_->vectors(signature.name)) {
-    vectors.emplace(vector.shape_id, std::move(vector.values));
+  const VectorTable stored = store_->vectors(signature.name);
+  for (const StoredVector vector : stored) {
+    vectors.emplace(vector.shape_id, std::vector(vector.values.begin(), vector.values.end()));
   }
   const auto id_of = [&](std::size_t i) { return clean.find(models[i].file)->id; };
 

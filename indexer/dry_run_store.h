@@ -28,9 +28,10 @@ class DryRunStore final : public ShapeStore {
     return store_ ? store_->find_by_hash(content_hash) : std::vector<ShapeRecord>{};
   }
   ShapeData data(std::int64_t id) const override { return store_ ? store_->data(id) : ShapeData{}; }
-  std::vector<StoredVector> vectors(std::string_view signature) const override {
-    return store_ ? store_->vectors(signature) : std::vector<StoredVector>{};
+  VectorTable vectors(std::string_view signature) const override {
+    return store_ ? store_->vectors(signature) : VectorTable();
   }
+  std::string revision() const override { return store_ ? store_->revision() : std::string(); }
   std::vector<std::int64_t> shapes_without(std::string_view signature) const override {
     return store_ ? store_->shapes_without(signature) : std::vector<std::int64_t>{};
   }

@@ -34,18 +34,18 @@ void require_same_recipe(const std::filesystem::path& database, const Recipe& re
 std::unique_ptr<ShapeStore> open_index_store(const std::filesystem::path& database,
                                              const RecipeOverrides& overrides, bool is_dry_run) {
   std::error_code ignored;
-  if (std::filesystem::status(database, ignored).type() == std::filesystem::file_type::not_found) {
-    const Recipe recipe = with_overrides({}, overrides);
-    if (is_dry_run) return std::make_unique<DryRunStore>(nullptr, recipe);
-    return open_store(database, recipe);
-  }
+  const Recipe recipe_if_new = with_overrides({}, overrides);
   if (is_dry_run) {
+    if (std::filesystem::status(database, ignored).type() ==
+        std::filesystem::file_type::not_found) {
+      return std::make_unique<DryRunStore>(nullptr, recipe_if_new);
+    }
     auto store = open_store_read_only(database);
     const Recipe recipe = store->recipe();
     require_same_recipe(database, recipe, overrides);
     return std::make_unique<DryRunStore>(std::move(store), recipe);
   }
-  auto store = open_store(database);
+  auto store = open_or_create_store(database, recipe_if_new);
   require_same_recipe(database, store->recipe(), overrides);
   return store;
 }

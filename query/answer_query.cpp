@@ -1,5 +1,6 @@
 #include "query/answer_query.h"
 
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "features/core/errors.h"
 #include "features/descriptor/chirality.h"
 #include "query/collect_vectors.h"
+#include "query/sketches.h"
+#include "query/vector_cache.h"
 
 namespace mdbd {
 namespace {
@@ -27,26 +30,83 @@ std::vector<float> stored_chirality(const ShapeStore& store, std::int64_t id) {
   return compute_chirality(store.data(id).balls);
 }
 
-/// The vectors to search, with the chirality in front if it is asked for.
-std::vector<StoredVector> collect(const ShapeStore& store, const QueryOptions& options,
-                                  std::size_t& completed) {
-  std::vector<StoredVector> vectors =
-      collect_vectors(store, options.signature, options.filter, options.unit, completed);
-  if (!options.has_chirality) return vectors;
-  for (StoredVector& vector : vectors) {
-    const std::vector<float> chirality = stored_chirality(store, vector.shape_id);
-    vector.values.insert(vector.values.begin(), chirality.begin(), chirality.end());
-  }
-  return vectors;
+std::unique_ptr<const SignatureMetric> make_base_metric(const Recipe& recipe,
+                                                        SignatureKind signature) {
+  return signature == SignatureKind::mdbd_100
+             ? similarity_metric(recipe.descriptor_balls, recipe.walk_weight)
+             : fused_metric();
 }
 
 std::unique_ptr<const SignatureMetric> make_metric(const Recipe& recipe,
                                                    const QueryOptions& options) {
-  std::unique_ptr<const SignatureMetric> metric =
-      options.signature == SignatureKind::mdbd_100
-          ? similarity_metric(recipe.descriptor_balls, recipe.walk_weight)
-          : fused_metric();
+  std::unique_ptr<const SignatureMetric> metric = make_base_metric(recipe, options.signature);
   return options.has_chirality ? chiral_metric(std::move(metric)) : std::move(metric);
+}
+
+VectorTable with_chirality(const ShapeStore& store, const VectorTable& table) {
+  VectorTableBuilder all;
+  for (const StoredVector vector : table) {
+    std::vector<float> values = stored_chirality(store, vector.shape_id);
+    values.insert(values.end(), vector.values.begin(), vector.values.end());
+    all.append({vector.shape_id, vector.path, vector.scale, values});
+  }
+  return all.take();
+}
+
+/// Vectors with their sketches, if these were in a cache or went into one.
+struct Vectors {
+  VectorTable table;
+  std::optional<Sketches> sketches;
+};
+
+/// Reads all vectors, and writes the cache if nobody changed the store meanwhile.
+Vectors fill_cache(const ShapeStore& store, const QueryOptions& options,
+                   const std::filesystem::path& cache, const std::string& key,
+                   std::size_t& completed) {
+  Vectors vectors{.table = collect_vectors(store, options.signature, {}, {}, completed),
+                  .sketches = std::nullopt};
+  if (completed > 0 || vectors.table.size() < options.least_cached_models ||
+      vector_cache_key(store, options.signature) != key) {
+    return vectors;
+  }
+  const std::vector<MetricBlock> blocks =
+      make_base_metric(store.recipe(), options.signature)->blocks(vectors.table.dimension());
+  vectors.sketches = make_sketches(vectors.table, blocks);
+  write_vector_cache(cache, key, vectors.table, *vectors.sketches);
+  return vectors;
+}
+
+/// The vectors of all models from the cache, which is made if it is not there. Nothing if there can
+/// be none, or if that would mean to compute vectors of models that nobody asked for.
+std::optional<Vectors> load_cached(const ShapeStore& store, const QueryOptions& options,
+                                   std::size_t& completed) {
+  // Scales in the cache are those of the files.
+  if (options.cached_database.empty() || !options.unit.empty()) return std::nullopt;
+  const std::string key = vector_cache_key(store, options.signature);
+  if (key.empty()) return std::nullopt;
+  const std::filesystem::path cache = vector_cache_path(options.cached_database, options.signature);
+  if (std::optional<CachedVectors> cached = read_vector_cache(cache, key)) {
+    return Vectors{std::move(cached->table), std::move(cached->sketches)};
+  }
+  if (!options.filter.is_empty() && options.signature != SignatureKind::mdbd_100) {
+    return std::nullopt;
+  }
+  return fill_cache(store, options, cache, key, completed);
+}
+
+ExactSearch make_search(const ShapeStore& store, const QueryOptions& options, std::size_t queries,
+                        std::size_t& completed) {
+  std::optional<Vectors> cached = load_cached(store, options, completed);
+  VectorTable table =
+      cached ? select_vectors(cached->table, options.filter)
+             : collect_vectors(store, options.signature, options.filter, options.unit, completed);
+  std::optional<Sketches> sketches;
+  if (cached && options.filter.is_empty() && !options.has_chirality) {
+    sketches = std::move(cached->sketches);
+  }
+  if (options.has_chirality) table = with_chirality(store, table);
+  return ExactSearch(std::move(table), make_metric(store.recipe(), options), queries,
+                     SearchMethod::automatic, std::move(sketches));
 }
 
 }  // namespace
@@ -61,8 +121,7 @@ struct ShapeSearch::Query {
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
     : store_(store),
       options_(std::move(options)),
-      search_(collect(store, options_, completed_), make_metric(store.recipe(), options_),
-              queries) {}
+      search_(make_search(store, options_, queries, completed_)) {}
 
 QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   QueryAnswer answer{.query = std::move(name), .result = {}, .completed = completed_};
@@ -77,7 +136,7 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   answer.result = search_.search(query.vector, search);
   if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
-    const std::span<const float> vector = search_.collection()[match.row].values;
+    const std::span<const float> vector = search_.collection().values(match.row);
     match.hand = compare_hands(query.chirality, vector.first(chirality_size));
   }
   return answer;

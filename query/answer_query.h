@@ -11,6 +11,7 @@
 #include "features/describe.h"
 #include "query/collection_filter.h"
 #include "query/exact_search.h"
+#include "query/vector_cache.h"
 #include "store/shape_store.h"
 
 namespace mdbd {
@@ -32,6 +33,9 @@ struct QueryOptions {
   /// others are taken to be in it. Empty: sizes are compared as they are.
   std::string unit = {};
   bool has_same_size = false;  ///< only models of the query's size: same_size_ratio
+  /// The database of the store, beside which vectors are cached (vector_cache.h). Empty: nowhere.
+  std::filesystem::path cached_database = {};
+  std::size_t least_cached_models = mdbd::least_cached_models;
 };
 
 /// A query by the path it is known by, with its answer.

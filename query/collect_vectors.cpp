@@ -12,37 +12,48 @@
 namespace mdbd {
 namespace {
 
+/// A signature's vectors with their scales in a unit.
+VectorTable stored_table(const ShapeStore& store, std::string_view signature,
+                         const std::string& unit) {
+  VectorTable stored = store.vectors(signature);
+  if (unit.empty()) return stored;
+  std::unordered_map<std::int64_t, double> scales;
+  for (const ShapeRecord& record : store.shapes()) {
+    scales[record.id] = scale_in_unit(record.scale, record.statistics, unit);
+  }
+  VectorTableBuilder converted;
+  for (StoredVector vector : stored) {
+    const auto known = scales.find(vector.shape_id);
+    if (known != scales.end()) vector.scale = known->second;
+    converted.append(vector);
+  }
+  return converted.take();
+}
+
 // Another process may add vectors meanwhile: what is missing is asked for first, so that no model
 // is left out, and what is there by then is not taken twice.
-std::vector<StoredVector> fused_vectors(const ShapeStore& store, const CollectionFilter& filter,
-                                        const std::string& unit, std::size_t& completed) {
+VectorTable fused_vectors(const ShapeStore& store, const CollectionFilter& filter,
+                          const std::string& unit, std::size_t& completed) {
   const std::vector<std::int64_t> missing = store.shapes_without(stored_mdbd_fused);
-  std::vector<StoredVector> vectors = store.vectors(stored_mdbd_fused);
+  VectorTable stored = select_vectors(stored_table(store, stored_mdbd_fused, unit), filter);
+  if (missing.empty()) return stored;
+  VectorTableBuilder all;
   std::unordered_set<std::int64_t> known;
-  for (const StoredVector& vector : vectors) known.insert(vector.shape_id);
+  for (const StoredVector vector : stored) {
+    known.insert(vector.shape_id);
+    all.append(vector);
+  }
   for (const std::int64_t id : missing) {
     const std::optional<ShapeRecord> record = store.find(id);
     if (!record || record->status == ShapeStatus::failed || known.contains(id) ||
         !filter.accepts(record->path, scale_in_unit(record->scale, record->statistics, unit))) {
       continue;
     }
-    vectors.push_back(
-        {id, record->path, record->scale, stored_vector(store, id, SignatureKind::mdbd_fused)});
+    const std::vector<float> values = stored_vector(store, id, SignatureKind::mdbd_fused);
+    all.append({id, record->path, scale_in_unit(record->scale, record->statistics, unit), values});
     ++completed;
   }
-  return vectors;
-}
-
-void convert_scales(const ShapeStore& store, const std::string& unit,
-                    std::vector<StoredVector>& vectors) {
-  std::unordered_map<std::int64_t, double> scales;
-  for (const ShapeRecord& record : store.shapes()) {
-    scales[record.id] = scale_in_unit(record.scale, record.statistics, unit);
-  }
-  for (StoredVector& vector : vectors) {
-    const auto known = scales.find(vector.shape_id);
-    if (known != scales.end()) vector.scale = known->second;
-  }
+  return all.take();
 }
 
 }  // namespace
@@ -60,19 +71,21 @@ std::vector<float> stored_vector(const ShapeStore& store, std::int64_t id,
   return data.fused.empty() ? compute_fused_signature(data.balls) : std::move(data.fused);
 }
 
-std::vector<StoredVector> collect_vectors(const ShapeStore& store, SignatureKind signature,
-                                          const CollectionFilter& filter, const std::string& unit,
-                                          std::size_t& completed) {
-  std::vector<StoredVector> vectors = signature == SignatureKind::mdbd_100
-                                          ? store.vectors(signature_mdbd_100)
-                                          : fused_vectors(store, filter, unit, completed);
-  if (!unit.empty()) convert_scales(store, unit, vectors);
-  if (!filter.is_empty()) {
-    std::erase_if(vectors, [&](const StoredVector& vector) {
-      return !filter.accepts(vector.path, vector.scale);
-    });
+VectorTable collect_vectors(const ShapeStore& store, SignatureKind signature,
+                            const CollectionFilter& filter, const std::string& unit,
+                            std::size_t& completed) {
+  return signature == SignatureKind::mdbd_100
+             ? select_vectors(stored_table(store, signature_mdbd_100, unit), filter)
+             : fused_vectors(store, filter, unit, completed);
+}
+
+VectorTable select_vectors(const VectorTable& table, const CollectionFilter& filter) {
+  if (filter.is_empty()) return table;
+  VectorTableBuilder selected;
+  for (const StoredVector vector : table) {
+    if (filter.accepts(vector.path, vector.scale)) selected.append(vector);
   }
-  return vectors;
+  return selected.take();
 }
 
 }  // namespace mdbd

@@ -25,8 +25,11 @@ double scale_in_unit(double scale, const std::string& statistics, const std::str
 /// scale_in_unit().
 /// @param completed counts up those whose vector had to be computed from their balls
 /// @throws StoreError if the collection cannot be read
-std::vector<StoredVector> collect_vectors(const ShapeStore& store, SignatureKind signature,
-                                          const CollectionFilter& filter, const std::string& unit,
-                                          std::size_t& completed);
+VectorTable collect_vectors(const ShapeStore& store, SignatureKind signature,
+                            const CollectionFilter& filter, const std::string& unit,
+                            std::size_t& completed);
+
+/// The rows of a table that pass a filter.
+VectorTable select_vectors(const VectorTable& table, const CollectionFilter& filter);
 
 }  // namespace mdbd

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace mdbd {
 
@@ -15,7 +16,7 @@ struct CollectionFilter {
   double min_scale = 0.0;  ///< of R, in object units
   double max_scale = std::numeric_limits<double>::infinity();
 
-  bool accepts(const std::string& path, double scale) const;
+  bool accepts(std::string_view path, double scale) const;
   bool is_empty() const;
 };
 

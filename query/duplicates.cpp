@@ -40,27 +40,33 @@ class Collection {
   Collection(const ShapeStore& store, const CollectionFilter& filter, std::size_t& completed)
       : radii_metric_(similarity_metric(store.recipe().descriptor_balls, 0.0)) {
     std::size_t none = 0;
-    for (StoredVector& vector : collect_vectors(store, SignatureKind::mdbd_100, filter, {}, none)) {
-      descriptors_[vector.shape_id] = std::move(vector.values);
+    descriptors_ = collect_vectors(store, SignatureKind::mdbd_100, filter, {}, none);
+    std::unordered_map<std::int64_t, std::size_t> rows;
+    for (std::size_t row = 0; row < descriptors_.size(); ++row) {
+      rows[descriptors_[row].shape_id] = row;
     }
-    std::vector<StoredVector> fused =
-        collect_vectors(store, SignatureKind::mdbd_fused, filter, {}, completed);
     // Another process may have added a model between the two readings.
-    std::erase_if(
-        fused, [&](const StoredVector& vector) { return !descriptors_.contains(vector.shape_id); });
-    const std::size_t searches = fused.size();
-    search_.emplace(std::move(fused), fused_metric(), searches);
+    VectorTableBuilder fused;
+    const VectorTable all =
+        collect_vectors(store, SignatureKind::mdbd_fused, filter, {}, completed);
+    for (const StoredVector vector : all) {
+      const auto row = rows.find(vector.shape_id);
+      if (row == rows.end()) continue;
+      fused.append(vector);
+      descriptor_rows_.push_back(row->second);
+    }
+    search_.emplace(fused.take(), fused_metric(), descriptor_rows_.size());
   }
 
-  const std::vector<StoredVector>& vectors() const { return search_->collection(); }
+  const VectorTable& vectors() const { return search_->collection(); }
 
   double distance(std::size_t left, std::size_t right) const {
-    return fused_->distance(vectors()[left].values, vectors()[right].values);
+    return fused_->distance(vectors().values(left), vectors().values(right));
   }
 
   double radii_distance(std::size_t left, std::size_t right) const {
-    return radii_metric_->distance(descriptors_.at(vectors()[left].shape_id),
-                                   descriptors_.at(vectors()[right].shape_id));
+    return radii_metric_->distance(descriptors_.values(descriptor_rows_[left]),
+                                   descriptors_.values(descriptor_rows_[right]));
   }
 
   bool are_duplicates(std::size_t left, std::size_t right, double threshold) const {
@@ -73,7 +79,7 @@ class Collection {
     const SearchOptions options{.count = std::numeric_limits<std::size_t>::max(),
                                 .threshold = threshold};
     std::vector<std::size_t> rows;
-    for (const Match& match : search_->search(vectors()[row].values, options).matches) {
+    for (const Match& match : search_->search(vectors().values(row), options).matches) {
       if (radii_distance(row, match.row) <= radii_share * threshold) rows.push_back(match.row);
     }
     return rows;
@@ -82,7 +88,8 @@ class Collection {
  private:
   std::unique_ptr<const SignatureMetric> radii_metric_;
   std::unique_ptr<const SignatureMetric> fused_ = fused_metric();
-  std::unordered_map<std::int64_t, std::vector<float>> descriptors_;
+  VectorTable descriptors_;                   // mdbd-100
+  std::vector<std::size_t> descriptor_rows_;  // of the rows of vectors()
   std::optional<ExactSearch> search_;
 };
 

@@ -10,14 +10,11 @@
 namespace mdbd {
 namespace {
 
-// Sketches of more numbers rule out more vectors and take longer to compare: measured by
-// bench/search_benchmark.cpp.
-constexpr std::size_t euclidean_sketch_size = 8;
-constexpr std::size_t l1_sketch_size = 64;
-
-// Building an index takes as long as some fifty scans.
+// Making sketches takes as long as some thirty scans, the tree as some three hundred passes over
+// the list: measured by bench/search_benchmark.cpp.
 constexpr std::size_t least_indexed_size = 10'000;
-constexpr std::size_t least_indexed_searches = 100;
+constexpr std::size_t least_sketched_searches = 50;
+constexpr std::size_t least_tree_searches = 500;
 
 // Whether all numbers stay far from overflow when they are multiplied by a weight; false for NaN.
 bool are_usable(std::span<const float> values, double weight) {
@@ -89,12 +86,13 @@ class ExactSearch::Candidates {
 
   /// Compares a model with the query, unless a bound rules it out.
   void consider(std::size_t row) {
-    const StoredVector& vector = search_.collection_[row];
-    if (vector.scale < options_.min_scale || vector.scale > options_.max_scale) return;
-    const double bound = block_distance(query_, vector.values, search_.blocks_);
+    const double scale = search_.collection_.scale(row);
+    if (scale < options_.min_scale || scale > options_.max_scale) return;
+    const std::span<const float> values = search_.collection_.values(row);
+    const double bound = block_distance(query_, values, search_.blocks_);
     if (bound * (1.0 - search_.margin_) > limit_) return;
     ++examined_;
-    const Candidate candidate{row, search_.metric_->distance(query_, vector.values)};
+    const Candidate candidate{row, search_.metric_->distance(query_, values)};
     if (candidate.distance <= limit_) add(candidate);
   }
 
@@ -107,7 +105,7 @@ class ExactSearch::Candidates {
  private:
   bool is_better(const Candidate& a, const Candidate& b) const {
     if (a.distance != b.distance) return a.distance < b.distance;
-    return search_.collection_[a.row].path < search_.collection_[b.row].path;
+    return search_.collection_.path(a.row) < search_.collection_.path(b.row);
   }
 
   void add(const Candidate& candidate) {
@@ -129,52 +127,54 @@ class ExactSearch::Candidates {
   std::size_t examined_ = 0;
 };
 
-ExactSearch::ExactSearch(std::vector<StoredVector> collection,
-                         std::unique_ptr<const SignatureMetric> metric, std::size_t searches,
-                         SearchMethod method)
-    : collection_(std::move(collection)), metric_(std::move(metric)) {
+ExactSearch::ExactSearch(VectorTable collection, std::unique_ptr<const SignatureMetric> metric,
+                         std::size_t searches, SearchMethod method,
+                         std::optional<Sketches> sketches)
+    : collection_(std::move(collection)),
+      metric_(std::move(metric)),
+      sketches_(std::move(sketches)) {
   if (collection_.empty()) return;
-  dimension_ = collection_.front().values.size();
-  for (const StoredVector& vector : collection_) {
-    if (vector.values.size() != dimension_ || dimension_ < metric_->least_size()) {
-      throw InvalidInput(vector.path + ": its vector has " + std::to_string(vector.values.size()) +
-                         " numbers, which does not fit the collection");
-    }
-    scales_.push_back(vector.scale);
+  if (collection_.dimension() < metric_->least_size()) {
+    throw InvalidInput(std::string(collection_.path(0)) + ": its vector has " +
+                       std::to_string(collection_.dimension()) + " numbers, which are too few");
   }
-  std::ranges::sort(scales_);
-  blocks_ = metric_->blocks(dimension_);
-  margin_ = single_precision_margin(dimension_);
-  for (const StoredVector& vector : collection_) {
-    largest_magnitude_ = std::max(largest_magnitude_, magnitude(vector.values, blocks_));
-  }
-  const bool pays = collection_.size() >= least_indexed_size && searches >= least_indexed_searches;
-  if (method == SearchMethod::index || (method == SearchMethod::automatic && pays)) {
-    index_ = build_index();
+  blocks_ = metric_->blocks(collection_.dimension());
+  margin_ = single_precision_margin(collection_.dimension());
+  check_values();
+  build_index(searches, method);
+}
+
+void ExactSearch::check_values() const {
+  double weight = 1.0;
+  for (const MetricBlock& block : blocks_) weight = std::max(weight, block.weight);
+  const std::span<const float> largest(&collection_.arrays().largest_number, 1);
+  if (are_usable(largest, weight)) return;
+  for (std::size_t row = 0; row < collection_.size(); ++row) {
+    magnitude(collection_.values(row), blocks_);
   }
 }
 
-std::optional<ExactSearch::Index> ExactSearch::build_index() const {
-  const std::size_t size =
-      blocks_.front().norm == PointNorm::l1 ? l1_sketch_size : euclidean_sketch_size;
-  MetricSketch sketch(collection_, blocks_, size);
-  std::vector<float> points(collection_.size() * sketch.size());
-  for (std::size_t row = 0; row < collection_.size(); ++row) {
-    sketch.write(collection_[row].values,
-                 std::span(points).subspan(row * sketch.size(), sketch.size()));
+void ExactSearch::build_index(std::size_t searches, SearchMethod method) {
+  if (method == SearchMethod::automatic) {
+    const bool pays = collection_.size() >= least_indexed_size;
+    method = pays && searches >= least_tree_searches                      ? SearchMethod::tree
+             : sketches_ || (pays && searches >= least_sketched_searches) ? SearchMethod::list
+                                                                          : SearchMethod::scan;
   }
-  if (sketch.norm() == PointNorm::l1) {
-    SketchList list(points, sketch.size());
-    return Index{std::move(sketch), std::move(list)};
+  if (method == SearchMethod::scan) {
+    sketches_.reset();
+    return;
   }
-  SketchTree tree(std::move(points), sketch.size());
-  return Index{std::move(sketch), std::move(tree)};
+  if (!sketches_) sketches_ = make_sketches(collection_, blocks_);
+  if (method == SearchMethod::tree && sketches_->map.norm() == PointNorm::l2) {
+    tree_.emplace(sketches_->list.points(), sketches_->map.size());
+  }
 }
 
 std::size_t ExactSearch::count_within(const SearchOptions& options) const {
-  const auto first = std::ranges::lower_bound(scales_, options.min_scale);
-  const auto end = std::upper_bound(first, scales_.end(), options.max_scale);
-  return static_cast<std::size_t>(end - first);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      collection_.arrays().scales,
+      [&](double scale) { return scale >= options.min_scale && scale <= options.max_scale; }));
 }
 
 void ExactSearch::scan(Candidates& candidates) const {
@@ -182,19 +182,21 @@ void ExactSearch::scan(Candidates& candidates) const {
 }
 
 void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
+  const MetricSketch& map = sketches_->map;
   const double margin =
-      index_->sketch.margin(std::max(largest_magnitude_, magnitude(query, blocks_)));
-  std::vector<float> sketch(index_->sketch.size());
-  index_->sketch.write(query, sketch);
+      map.margin(std::max(collection_.arrays().largest_magnitude, magnitude(query, blocks_)));
+  std::vector<float> sketch(map.size());
+  map.write(query, sketch);
   const auto visitor = [&](std::size_t row) {
     candidates.consider(row);
     return candidates.limit() + margin;
   };
-  std::visit(
-      [&](const auto& points) {
-        points.visit_within(sketch, candidates.limit() + margin, visitor);
-      },
-      index_->points);
+  const double radius = candidates.limit() + margin;
+  if (tree_) {
+    tree_->visit_within(sketch, radius, visitor);
+  } else {
+    sketches_->list.visit_within(sketch, radius, visitor);
+  }
 }
 
 SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
@@ -202,13 +204,13 @@ SearchResult ExactSearch::search(std::span<const float> query, const SearchOptio
   SearchResult result;
   result.part_names = metric_->part_names();
   if (collection_.empty()) return result;
-  if (query.size() != dimension_) {
+  if (query.size() != collection_.dimension()) {
     throw InvalidInput("a query of " + std::to_string(query.size()) +
-                       " numbers against vectors of " + std::to_string(dimension_));
+                       " numbers against vectors of " + std::to_string(collection_.dimension()));
   }
   magnitude(query, blocks_);
   Candidates candidates(*this, query, options);
-  if (index_) {
+  if (sketches_) {
     visit_index(query, candidates);
   } else {
     scan(candidates);
@@ -223,10 +225,10 @@ SearchResult ExactSearch::search(std::span<const float> query, const SearchOptio
 
 Match ExactSearch::describe(std::span<const float> query, const Candidate& candidate,
                             std::size_t differences) const {
-  const StoredVector& model = collection_[candidate.row];
+  const StoredVector model = collection_[candidate.row];
   return {.row = candidate.row,
           .id = model.shape_id,
-          .path = model.path,
+          .path = std::string(model.path),
           .scale = model.scale,
           .distance = candidate.distance,
           .parts = metric_->parts(query, model.values),

@@ -8,15 +8,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "features/descriptor/chirality.h"
-#include "query/metric_sketch.h"
 #include "query/signature_metric.h"
-#include "query/sketch_list.h"
 #include "query/sketch_tree.h"
-#include "store/shape_record.h"
+#include "query/sketches.h"
+#include "store/vector_table.h"
 
 namespace mdbd {
 
@@ -65,8 +63,8 @@ struct SearchOptions {
 enum class SearchMethod {
   automatic,  ///< whatever takes less time for the searches to come
   scan,       ///< every vector is compared, in single precision first: nothing to build
-  index       ///< sketches (metric_sketch.h) say which vectors to compare: FLANN's kd-tree of them
-              ///< for Euclidean blocks, a list for L1
+  list,       ///< sketches (metric_sketch.h) say which vectors to compare; all of them are compared
+  tree        ///< sketches are in FLANN's kd-tree, for Euclidean blocks; for L1 as `list`
 };
 
 /// Exact top-k under the metric of a signature. Every bound used is below the distance whatever
@@ -74,45 +72,40 @@ enum class SearchMethod {
 /// exactness certificate.
 class ExactSearch {
  public:
-  /// @param collection vectors of the signature, all of one dimension; may be empty
+  /// @param collection vectors of the signature; may be empty
   /// @param searches how many are to come, for SearchMethod::automatic
-  /// @throws InvalidInput if a vector has another dimension than the first, fewer values than the
-  ///         metric needs, or a value that is not finite or, weighted or not, above
-  ///         MetricSketch::largest_component
-  ExactSearch(std::vector<StoredVector> collection, std::unique_ptr<const SignatureMetric> metric,
-              std::size_t searches = 1, SearchMethod method = SearchMethod::automatic);
+  /// @param sketches of the collection by the blocks of the metric, if they are there already
+  /// @throws InvalidInput if the vectors have fewer values than the metric needs, or a value that
+  ///         is not finite or, weighted or not, above MetricSketch::largest_component
+  ExactSearch(VectorTable collection, std::unique_ptr<const SignatureMetric> metric,
+              std::size_t searches = 1, SearchMethod method = SearchMethod::automatic,
+              std::optional<Sketches> sketches = std::nullopt);
 
   /// The nearest models within the threshold, as many as asked for or all if there are fewer.
   /// @throws InvalidInput if the count is 0, or the query has another dimension than the collection
   ///         or a value that the constructor refuses
   SearchResult search(std::span<const float> query, const SearchOptions& options = {}) const;
 
-  const std::vector<StoredVector>& collection() const { return collection_; }
-  bool has_index() const { return index_.has_value(); }
+  const VectorTable& collection() const { return collection_; }
+  bool has_index() const { return sketches_.has_value(); }
 
  private:
   struct Candidate;
   class Candidates;
-  /// Sketches of the collection.
-  struct Index {
-    MetricSketch sketch;
-    std::variant<SketchTree, SketchList> points;
-  };
-  std::optional<Index> build_index() const;
+  void check_values() const;
+  void build_index(std::size_t searches, SearchMethod method);
   std::size_t count_within(const SearchOptions& options) const;
   void scan(Candidates& candidates) const;
   void visit_index(std::span<const float> query, Candidates& candidates) const;
   Match describe(std::span<const float> query, const Candidate& candidate,
                  std::size_t differences) const;
 
-  std::vector<StoredVector> collection_;
-  std::vector<double> scales_;  ///< of the collection, ascending
+  VectorTable collection_;
   std::unique_ptr<const SignatureMetric> metric_;
   std::vector<MetricBlock> blocks_;
-  std::size_t dimension_ = 0;
-  double margin_ = 0.0;             ///< single_precision_margin() of the vectors
-  double largest_magnitude_ = 0.0;  ///< of the vectors: the sum of the magnitudes of the numbers
-  std::optional<Index> index_;
+  double margin_ = 0.0;  ///< single_precision_margin() of the vectors
+  std::optional<Sketches> sketches_;
+  std::optional<SketchTree> tree_;  ///< of the sketches
 };
 
 }  // namespace mdbd

@@ -45,20 +45,35 @@ float l1(const float* f, const float* g, std::size_t count) {
   return sum_of(sums);
 }
 
-MDBD_VECTORISED
-void l1_of_all(const float* point, const float* points, std::size_t dimension, float* distances,
-               std::size_t count) {
-  for (std::size_t row = 0; row < count; ++row) {
-    const float* other = points + row * dimension;
+template <PointNorm norm>
+MDBD_PART_OF_CALLER inline void add_differences(const float* point, const float* groups,
+                                                std::size_t dimension, float* distances,
+                                                std::size_t group_count) {
+  for (std::size_t group = 0; group < group_count; ++group) {
     alignas(32) float sums[lanes] = {};
-    for (std::size_t i = 0; i < dimension; i += lanes) {
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const float* others = groups + (group * dimension + i) * lanes;
       MDBD_LANES
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        sums[lane] += std::abs(point[i + lane] - other[i + lane]);
+        const float difference = point[i] - others[lane];
+        sums[lane] += norm == PointNorm::l1 ? std::abs(difference) : difference * difference;
       }
     }
-    distances[row] = sum_of(sums);
+    MDBD_LANES
+    for (std::size_t lane = 0; lane < lanes; ++lane) distances[group * lanes + lane] = sums[lane];
   }
+}
+
+MDBD_VECTORISED
+void l1_of_groups(const float* point, const float* groups, std::size_t dimension, float* distances,
+                  std::size_t group_count) {
+  add_differences<PointNorm::l1>(point, groups, dimension, distances, group_count);
+}
+
+MDBD_VECTORISED
+void squared_l2_of_groups(const float* point, const float* groups, std::size_t dimension,
+                          float* distances, std::size_t group_count) {
+  add_differences<PointNorm::l2>(point, groups, dimension, distances, group_count);
 }
 
 }  // namespace
@@ -76,9 +91,10 @@ double block_distance(std::span<const float> f, std::span<const float> g,
   return distance;
 }
 
-void l1_distances(std::span<const float> point, std::span<const float> points,
-                  std::span<float> distances) {
-  l1_of_all(point.data(), points.data(), point.size(), distances.data(), distances.size());
+void grouped_distances(std::span<const float> point, std::span<const float> groups, PointNorm norm,
+                       std::span<float> distances) {
+  const auto compute = norm == PointNorm::l1 ? l1_of_groups : squared_l2_of_groups;
+  compute(point.data(), groups.data(), point.size(), distances.data(), distances.size() / lanes);
 }
 
 }  // namespace mdbd

@@ -36,10 +36,10 @@ constexpr double single_precision_margin(std::size_t numbers) {
 double block_distance(std::span<const float> f, std::span<const float> g,
                       std::span<const MetricBlock> blocks);
 
-/// The L1 distances in single precision of a point from those that lie one after the other in
-/// `points`, `distances.size()` of them, within single_precision_margin() of the true ones.
-/// @pre a point has a multiple of 8 numbers
-void l1_distances(std::span<const float> point, std::span<const float> points,
-                  std::span<float> distances);
+/// The L1 distances, or the squares of the L2 distances, in single precision of a point from those
+/// of groups (SketchList), `distances.size()` of them, within single_precision_margin() of 8 times
+/// as many numbers of the true ones.
+void grouped_distances(std::span<const float> point, std::span<const float> groups, PointNorm norm,
+                       std::span<float> distances);
 
 }  // namespace mdbd

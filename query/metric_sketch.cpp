@@ -14,11 +14,11 @@ constexpr std::size_t largest_sample = 2048;
 constexpr int line_rounds = 12;
 
 /// Rows of a sample less their mean, with the weight of the block.
-Eigen::MatrixXd sample_block(std::span<const StoredVector> collection, const MetricBlock& block) {
+Eigen::MatrixXd sample_block(const VectorTable& collection, const MetricBlock& block) {
   const std::size_t rows = std::min(collection.size(), largest_sample);
   Eigen::MatrixXd sample(rows, block.count);
   for (std::size_t row = 0; row < rows; ++row) {
-    const std::vector<float>& values = collection[row * collection.size() / rows].values;
+    const std::span<const float> values = collection.values(row * collection.size() / rows);
     for (std::size_t i = 0; i < block.count; ++i) {
       sample(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)) =
           block.weight * values[block.first + i];
@@ -47,7 +47,7 @@ void append_principal_axes(const Eigen::MatrixXd& sample, const MetricBlock& blo
   }
 }
 
-std::vector<Direction> principal_axes(std::span<const StoredVector> collection,
+std::vector<Direction> principal_axes(const VectorTable& collection,
                                       std::span<const MetricBlock> blocks, std::size_t size) {
   std::vector<Direction> directions;
   for (const MetricBlock& block : blocks) {
@@ -107,7 +107,7 @@ std::vector<Membership> cluster_lines(const Eigen::MatrixXd& columns, std::size_
   return memberships;
 }
 
-std::vector<Direction> signed_sums(std::span<const StoredVector> collection,
+std::vector<Direction> signed_sums(const VectorTable& collection,
                                    std::span<const MetricBlock> blocks, std::size_t size) {
   std::size_t end = 0;
   for (const MetricBlock& block : blocks) end = std::max(end, block.first + block.count);
@@ -132,11 +132,11 @@ std::vector<Direction> signed_sums(std::span<const StoredVector> collection,
 
 }  // namespace
 
-MetricSketch::MetricSketch(std::span<const StoredVector> collection,
-                           std::span<const MetricBlock> blocks, std::size_t size)
+MetricSketch::MetricSketch(const VectorTable& collection, std::span<const MetricBlock> blocks,
+                           std::size_t size)
     : norm_(blocks.front().norm) {
   for (const MetricBlock& block : blocks) largest_weight_ = std::max(largest_weight_, block.weight);
-  const std::vector<float>& origin = collection[collection.size() / 2].values;
+  const std::span<const float> origin = collection.values(collection.size() / 2);
   for (const Direction& direction : norm_ == PointNorm::l1
                                         ? signed_sums(collection, blocks, size)
                                         : principal_axes(collection, blocks, size)) {

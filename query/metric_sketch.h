@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "query/metric_block.h"
-#include "store/shape_record.h"
+#include "store/vector_table.h"
 
 namespace mdbd {
 
@@ -29,9 +30,26 @@ class MetricSketch {
   /// @param blocks of the metric, all of one norm, with a weight above 0 in one of them
   /// @param size how many numbers a sketch has at most
   /// @pre the collection is not empty, and all blocks lie within its vectors
-  MetricSketch(std::span<const StoredVector> collection, std::span<const MetricBlock> blocks,
+  MetricSketch(const VectorTable& collection, std::span<const MetricBlock> blocks,
                std::size_t size);
 
+  /// One number of a sketch: a weighted sum of a vector's numbers less those of one vector of the
+  /// collection.
+  struct Axis {
+    struct Term {
+      std::size_t index;
+      double coefficient;
+    };
+    std::vector<Term> terms;
+    double offset = 0.0;
+  };
+
+  /// What axes(), norm() and largest_weight() of another one gave.
+  MetricSketch(std::vector<Axis> axes, PointNorm norm, double largest_weight)
+      : axes_(std::move(axes)), norm_(norm), largest_weight_(largest_weight) {}
+
+  std::span<const Axis> axes() const { return axes_; }
+  double largest_weight() const { return largest_weight_; }
   std::size_t size() const { return axes_.size(); }
   PointNorm norm() const { return norm_; }
 
@@ -44,17 +62,6 @@ class MetricSketch {
   double margin(double magnitude) const;
 
  private:
-  /// One number of a sketch: a weighted sum of a vector's numbers less those of one vector of the
-  /// collection.
-  struct Axis {
-    struct Term {
-      std::size_t index;
-      double coefficient;
-    };
-    std::vector<Term> terms;
-    double offset = 0.0;
-  };
-
   std::vector<Axis> axes_;
   PointNorm norm_;
   double largest_weight_ = 0.0;

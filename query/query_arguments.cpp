@@ -74,6 +74,10 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
              "List only models within this distance, and all of them unless --top is given")
       ->type_name("X");
   add_database_option(app, arguments.database);
+  app.add_flag(
+      "--no-cache", arguments.has_no_cache,
+      "Neither read nor write the files DATABASE.*.vectors, from which vectors of large "
+      "collections are read faster than from the database; they may be removed at any time");
   add_signature_option(app, options.signature);
   add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of a MODEL");
   add_size_option(app, "--model-memory", arguments.limits.memory, "Memory budget of a MODEL");
@@ -110,6 +114,7 @@ void finish(const CLI::App& app, QueryArguments& arguments) {
   if (has_threshold && app.count("--top") == 0) {
     options.count = std::numeric_limits<std::size_t>::max();
   }
+  if (!arguments.has_no_cache) options.cached_database = arguments.database;
   if (arguments.is_explained) options.differences = explained_differences;
 }
 

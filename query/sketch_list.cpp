@@ -2,39 +2,64 @@
 
 #include <algorithm>
 #include <array>
-
-#include "query/metric_block.h"
+#include <limits>
+#include <utility>
 
 namespace mdbd {
 namespace {
 
-constexpr std::size_t lanes = 8;
-constexpr std::size_t batch_size = 256;
+constexpr std::size_t batch_groups = 32;
 
 }  // namespace
 
-SketchList::SketchList(std::span<const float> points, std::size_t dimension)
-    : rows_(points.size() / dimension),
-      stride_((dimension + lanes - 1) / lanes * lanes),
-      points_(rows_ * stride_, 0.0F) {
+SketchList::SketchList(std::span<const float> points, std::size_t dimension, PointNorm norm)
+    : rows_(points.size() / dimension), dimension_(dimension), norm_(norm) {
+  auto groups = std::make_shared<std::vector<float>>(grouped_size(rows_, dimension), 0.0F);
   for (std::size_t row = 0; row < rows_; ++row) {
-    std::ranges::copy(points.subspan(row * dimension, dimension),
-                      points_.begin() + static_cast<std::ptrdiff_t>(row * stride_));
+    float* target = groups->data() + row / group_size * group_size * dimension + row % group_size;
+    for (std::size_t i = 0; i < dimension; ++i) {
+      target[i * group_size] = points[row * dimension + i];
+    }
   }
+  groups_ = *groups;
+  owner_ = std::move(groups);
+}
+
+SketchList::SketchList(std::span<const float> groups, std::size_t rows, std::size_t dimension,
+                       PointNorm norm, std::shared_ptr<const void> owner)
+    : rows_(rows), dimension_(dimension), norm_(norm), groups_(groups), owner_(std::move(owner)) {}
+
+std::vector<float> SketchList::points() const {
+  std::vector<float> points(rows_ * dimension_);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    const std::size_t first = row / group_size * group_size * dimension_ + row % group_size;
+    for (std::size_t i = 0; i < dimension_; ++i) {
+      points[row * dimension_ + i] = groups_[first + i * group_size];
+    }
+  }
+  return points;
+}
+
+// The radius in terms of what is computed, of which rounding takes nothing off: L2 is squared.
+float SketchList::limit_of(double radius) const {
+  double limit = radius / (1.0 - 2.0 * single_precision_margin(8 * dimension_));
+  if (norm_ == PointNorm::l2) limit = limit * limit + std::numeric_limits<float>::min();
+  return limit < std::numeric_limits<float>::max() ? static_cast<float>(limit)
+                                                   : std::numeric_limits<float>::infinity();
 }
 
 void SketchList::visit_within(std::span<const float> query, double radius,
                               const Visitor& visitor) const {
-  std::vector<float> point(query.begin(), query.end());
-  point.resize(stride_, 0.0F);
-  std::array<float, batch_size> distances{};
-  const double least_share = 1.0 - single_precision_margin(stride_);
-  for (std::size_t first = 0; first < rows_; first += batch_size) {
-    const std::size_t count = std::min(batch_size, rows_ - first);
-    l1_distances(point, std::span(points_).subspan(first * stride_, count * stride_),
-                 std::span(distances).first(count));
+  std::array<float, batch_groups * group_size> distances{};
+  float limit = limit_of(radius);
+  for (std::size_t first = 0; first < rows_; first += distances.size()) {
+    const std::size_t count = std::min(distances.size(), rows_ - first);
+    const std::size_t group_count = (count + group_size - 1) / group_size;
+    grouped_distances(query,
+                      groups_.subspan(first * dimension_, group_count * group_size * dimension_),
+                      norm_, std::span(distances).first(group_count * group_size));
     for (std::size_t i = 0; i < count; ++i) {
-      if (distances[i] * least_share <= radius) radius = visitor(first + i);
+      if (distances[i] <= limit) limit = limit_of(visitor(first + i));
     }
   }
 }

@@ -86,7 +86,7 @@ DatabaseSize database_size(const fs::path& path) {
 }
 
 void compact_database(const fs::path& path, std::chrono::milliseconds busy_timeout) {
-  const Database database = open_current(path, Access::read_write, busy_timeout);
+  const Database database = open_existing(path, Access::read_write, busy_timeout);
   if (database.is_read_only()) throw StoreError(explain_read_only(path));
   database.execute("VACUUM");
   // In write-ahead mode the file itself shrinks when the log is copied into it.

@@ -9,7 +9,7 @@
 #include "store/sqlite_database.h"
 
 /// Care of the SQLite database as a file, whatever is in it. Every function throws StoreError as
-/// open_store_read_only() does, and needs a database of the current schema.
+/// open_store_read_only() does.
 namespace mdbd {
 
 /// Copies a database to a new file while others use it (SQLite's online backup): the copy is of one

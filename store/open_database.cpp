@@ -19,13 +19,14 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-Database open_current(const fs::path& path, Access access, std::chrono::milliseconds busy_timeout) {
+Database open_existing(const fs::path& path, Access access,
+                       std::chrono::milliseconds busy_timeout) {
   if (!find_database_file(path)) {
     refuse(path, "there is no such database; make it with mdbd-index, or name another with --db");
   }
   Database database(path, access, busy_timeout);
   require_whole_file(database);
-  require_current_schema(database);
+  require_readable_schema(database);
   return database;
 }
 
@@ -34,7 +35,7 @@ Database open_current(const fs::path& path, Access access, std::chrono::millisec
 // nobody is writing it, so that it may be read as immutable, without them.
 Database open_for_reading(const fs::path& path) {
   try {
-    return open_current(path, Access::read_only);
+    return open_existing(path, Access::read_only);
   } catch (const SqliteError& error) {
     if (error.code() != SQLITE_CANTOPEN && error.code() != SQLITE_READONLY) throw;
     if (const std::optional<fs::path> log = find_log(path)) {
@@ -43,7 +44,7 @@ Database open_for_reading(const fs::path& path) {
                        "can be written, or copy both files to such a place");
     }
   }
-  return open_current(path, Access::immutable);
+  return open_existing(path, Access::immutable);
 }
 
 }  // namespace mdbd

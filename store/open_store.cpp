@@ -48,18 +48,28 @@ void require_same_recipe(const Database& database, const Recipe& asked) {
                               "; use another file with --db, or the same options");
 }
 
-}  // namespace
-
-std::unique_ptr<ShapeStore> open_store(const fs::path& path, const std::optional<Recipe>& recipe) {
-  if (recipe) validate(*recipe);
+Database open_for_writing(const fs::path& path, const Recipe& recipe_if_new) {
+  validate(recipe_if_new);
   if (!find_database_file(path)) require_folder_of(path);
   Database database(path, Access::read_write);
   require_whole_file(database);
   if (database.is_read_only()) throw StoreError(explain_read_only(path));
-  prepare_schema(database, recipe.value_or(Recipe{}));
-  if (recipe) require_same_recipe(database, *recipe);
+  prepare_schema(database, recipe_if_new);
   enable_write_ahead_log(database);
+  return database;
+}
+
+}  // namespace
+
+std::unique_ptr<ShapeStore> open_store(const fs::path& path, const std::optional<Recipe>& recipe) {
+  Database database = open_for_writing(path, recipe.value_or(Recipe{}));
+  if (recipe) require_same_recipe(database, *recipe);
   return std::make_unique<SqliteShapeStore>(std::move(database));
+}
+
+std::unique_ptr<ShapeStore> open_or_create_store(const fs::path& path,
+                                                 const Recipe& recipe_if_new) {
+  return std::make_unique<SqliteShapeStore>(open_for_writing(path, recipe_if_new));
 }
 
 std::unique_ptr<const ShapeStore> open_store_read_only(const fs::path& path) {

@@ -51,12 +51,4 @@ struct ShapeData {
   std::vector<float> fused;      ///< the vector of signature mdbd-fused; empty if it is not there
 };
 
-/// A vector of one signature with its model.
-struct StoredVector {
-  std::int64_t shape_id = 0;
-  std::string path;
-  double scale = 0.0;  ///< R in object units
-  std::vector<float> values;
-};
-
 }  // namespace mdbd

@@ -11,6 +11,7 @@
 
 #include "features/core/recipe.h"
 #include "store/shape_record.h"
+#include "store/vector_table.h"
 
 namespace mdbd {
 
@@ -69,20 +70,31 @@ class ShapeStore {
 
   /// All vectors of a signature, ordered by path; of one state of the collection, even if another
   /// process writes meanwhile.
-  virtual std::vector<StoredVector> vectors(std::string_view signature) const = 0;
+  /// @throws StoreError also if they are not all of one dimension
+  virtual VectorTable vectors(std::string_view signature) const = 0;
+
+  /// Names the state of the vectors of all signatures with their paths and scales: another one
+  /// after every change, whoever makes it, and never the same for two states, also of two databases
+  /// one of which was copied from the other. Empty if the store cannot tell.
+  virtual std::string revision() const = 0;
 };
 
 /// Opens the SQLite database at a path for reading and writing, and creates it with this recipe if
 /// it does not exist; without a recipe a new database gets the default one, an existing one keeps
-/// its own.
+/// its own. A database of an older schema is brought up to date.
 /// @throws StoreError if the file is no database, truncated, foreign, of a newer schema, of another
 ///         recipe, locked for too long or in a place that cannot be written; the message says what
 ///         to do
 std::unique_ptr<ShapeStore> open_store(const std::filesystem::path& path,
                                        const std::optional<Recipe>& recipe = std::nullopt);
 
-/// Opens an existing SQLite database for reading only; works in read-only places. Nothing is
-/// created that stays.
+/// As open_store(), but a recipe of its own that an existing database has is no error. What a
+/// killed program left before it wrote anything, an empty file, is a new database.
+std::unique_ptr<ShapeStore> open_or_create_store(const std::filesystem::path& path,
+                                                 const Recipe& recipe_if_new);
+
+/// Opens an existing SQLite database for reading only, also one of an older schema; works in
+/// read-only places. Nothing is created that stays.
 /// @throws StoreError as open_store, and if the file does not exist
 std::unique_ptr<const ShapeStore> open_store_read_only(const std::filesystem::path& path);
 

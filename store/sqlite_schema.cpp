@@ -46,8 +46,26 @@ CREATE TABLE balls (
   shape_id INTEGER PRIMARY KEY REFERENCES shapes (id) ON DELETE CASCADE,
   "values" BLOB NOT NULL
 ) STRICT;
+)",
+                                   R"(
+CREATE TABLE revision (
+  stamp BLOB NOT NULL
+) STRICT;
+INSERT INTO revision (stamp) VALUES (randomblob(16));
+
+CREATE TRIGGER vector_inserted AFTER INSERT ON vectors
+  BEGIN UPDATE revision SET stamp = randomblob(16); END;
+CREATE TRIGGER vector_updated AFTER UPDATE ON vectors
+  BEGIN UPDATE revision SET stamp = randomblob(16); END;
+CREATE TRIGGER vector_deleted AFTER DELETE ON vectors
+  BEGIN UPDATE revision SET stamp = randomblob(16); END;
+CREATE TRIGGER shape_updated AFTER UPDATE OF path, scale, status ON shapes
+  BEGIN UPDATE revision SET stamp = randomblob(16); END;
+CREATE TRIGGER shape_deleted AFTER DELETE ON shapes
+  BEGIN UPDATE revision SET stamp = randomblob(16); END;
 )"};
 constexpr std::int64_t known_schema = migrations.size();
+constexpr std::int64_t first_schema_with_revision = 2;
 
 [[noreturn]] void refuse(const Database& database, const std::string& why) {
   throw StoreError(database.path().string() + ": " + why);
@@ -89,6 +107,16 @@ void write_recipe(const Database& database, const Recipe& recipe) {
   }
 }
 
+// Recipes of other versions have other parameters, too.
+void require_same_algorithm(const Database& database, const RecipeEntries& entries) {
+  const std::string current = std::to_string(current_algorithm_version);
+  for (const auto& [name, value] : entries) {
+    if (name != "algorithm_version" || value == current) continue;
+    refuse(database, "made by version " + value + " of the algorithm, and this mdbd has version " +
+                         current + ", whose numbers differ; index again into another --db");
+  }
+}
+
 }  // namespace
 
 void prepare_schema(const Database& database, const Recipe& recipe_if_new) {
@@ -99,6 +127,7 @@ void prepare_schema(const Database& database, const Recipe& recipe_if_new) {
   Transaction writing(database, Transaction::Kind::writing);
   // Another process may have been faster since.
   const std::int64_t schema = read_schema(database);
+  if (schema > 0) read_recipe(database);  // what cannot be used is not touched
   for (std::int64_t i = schema; i < known_schema; ++i) database.execute(migrations[i]);
   if (schema == 0) {
     database.execute("PRAGMA application_id = " + std::to_string(application_id));
@@ -108,25 +137,25 @@ void prepare_schema(const Database& database, const Recipe& recipe_if_new) {
   writing.commit();
 }
 
-void require_current_schema(const Database& database) {
+void require_readable_schema(const Database& database) {
   const Transaction reading(database, Transaction::Kind::reading);
-  if (read_schema(database) != known_schema) {
-    refuse(database, "empty, or made by an older mdbd; run mdbd-index on it first");
-  }
+  if (read_schema(database) == 0) refuse(database, "empty; run mdbd-index on it first");
+}
+
+std::string read_revision(const Database& database) {
+  const Transaction reading(database, Transaction::Kind::reading);
+  if (read_schema(database) < first_schema_with_revision) return {};
+  Statement statement(database, "SELECT hex(stamp) FROM revision");
+  return statement.step() ? statement.text(0) : std::string();
 }
 
 Recipe read_recipe(const Database& database) {
   RecipeEntries entries;
   Statement statement(database, "SELECT name, value FROM recipe");
   while (statement.step()) entries.emplace_back(statement.text(0), statement.text(1));
+  require_same_algorithm(database, entries);
   try {
     Recipe recipe = recipe_from_entries(entries);
-    if (recipe.algorithm_version != current_algorithm_version) {
-      refuse(database, "made by version " + std::to_string(recipe.algorithm_version) +
-                           " of the algorithm, and this mdbd has version " +
-                           std::to_string(current_algorithm_version) +
-                           ", whose numbers differ; index again into another --db");
-    }
     validate(recipe);
     return recipe;
   } catch (const InvalidInput& error) {

@@ -168,21 +168,32 @@ std::vector<std::int64_t> SqliteShapeStore::shapes_without(std::string_view sign
 }
 
 // One statement sees one state of the database, however long it runs and whoever writes meanwhile.
-std::vector<StoredVector> SqliteShapeStore::vectors(std::string_view signature) const {
-  std::vector<StoredVector> result;
+VectorTable SqliteShapeStore::vectors(std::string_view signature) const {
+  VectorTableBuilder table;
   Statement row(database_,
                 "SELECT s.id, s.path, s.scale, v.\"values\" FROM shapes s"
                 " JOIN vectors v ON v.shape_id = s.id"
                 " WHERE s.status = ? AND v.signature = ? ORDER BY s.path");
   row.bind(to_string(ShapeStatus::indexed), signature);
   while (row.step()) {
-    std::string path = row.text(1);
-    std::vector<float> values = signature == signature_mdbd_100 ? read_signature(row.bytes(3), path)
-                                                                : read_vector(row.bytes(3), path);
-    result.push_back({row.integer(0), std::move(path), row.real(2), std::move(values)});
+    const std::string path = row.text(1);
+    const std::vector<float> values = signature == signature_mdbd_100
+                                          ? read_signature(row.bytes(3), path)
+                                          : read_vector(row.bytes(3), path);
+    append(table, {row.integer(0), path, row.real(2), values});
   }
-  return result;
+  return table.take();
 }
+
+void SqliteShapeStore::append(VectorTableBuilder& table, const StoredVector& vector) const {
+  try {
+    table.append(vector);
+  } catch (const InvalidInput& error) {
+    fail_damaged(error.what());
+  }
+}
+
+std::string SqliteShapeStore::revision() const { return read_revision(database_); }
 
 template <typename... Values>
 std::vector<ShapeRecord> SqliteShapeStore::select(std::string_view condition,

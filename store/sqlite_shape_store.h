@@ -25,13 +25,15 @@ class SqliteShapeStore : public ShapeStore {
                   std::span<const float> values) override;
   std::vector<std::int64_t> shapes_without(std::string_view signature) const override;
   ShapeData data(std::int64_t id) const override;
-  std::vector<StoredVector> vectors(std::string_view signature) const override;
+  VectorTable vectors(std::string_view signature) const override;
+  std::string revision() const override;
 
  private:
   template <typename... Values>
   std::vector<ShapeRecord> select(std::string_view condition, const Values&... values) const;
   ShapeRecord read_record(const Statement& row) const;
   std::vector<float> read_vector(std::span<const std::byte> bytes, const std::string& path) const;
+  void append(VectorTableBuilder& table, const StoredVector& vector) const;
   std::vector<float> read_signature(std::span<const std::byte> bytes,
                                     const std::string& path) const;
   std::vector<Ball> read_balls(std::span<const std::byte> bytes, const std::string& path) const;

@@ -14,6 +14,8 @@ endfunction()
 set(db "$<TARGET_FILE:mdbd-db>")
 db_test(info COMMAND mdbd-db info --db ${database}
   REGEXP "models +3 indexed .[0-9]+ off" "failed +1\n" "mdbd-fused +0 without" "balls +20\n")
+db_test(info_with_cache SETUP "cp '${database}' a.db && head -c 2048 /dev/zero > a.db.mdbd-100.vectors"
+  COMMAND mdbd-db info --db a.db REGEXP "cache +a\\.db\\.mdbd-100\\.vectors, 2 KiB\n")
 db_test(verify COMMAND mdbd-db verify --db ${database} REGEXP "^3 models verified, nothing wrong\n$")
 db_test(backup REGEXP "^3 models verified"
   COMMAND sh -c "${db} backup copy.db --db ${database} && ${db} verify --db copy.db && test ! -e copy.db.unfinished")

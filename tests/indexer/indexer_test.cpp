@@ -171,8 +171,9 @@ TEST_CASE("records do not depend on the number of jobs") {
     options.jobs = jobs;
     CHECK(c.run(options).indexed == 20);
     std::vector<std::pair<std::string, std::vector<float>>> vectors;
-    for (const StoredVector& vector : c.store->vectors(signature_mdbd_100)) {
-      vectors.emplace_back(fs::path(vector.path).filename(), vector.values);
+    for (const StoredVector vector : c.store->vectors(signature_mdbd_100)) {
+      vectors.emplace_back(fs::path(vector.path).filename(),
+                           std::vector(vector.values.begin(), vector.values.end()));
     }
     return vectors;
   };
@@ -451,7 +452,8 @@ TEST_CASE("a store that fails ends the run") {
     void put_vector(std::int64_t, std::string_view, std::span<const float>) override {}
     ShapeData data(std::int64_t) const override { return {}; }
     std::vector<std::int64_t> shapes_without(std::string_view) const override { return {}; }
-    std::vector<StoredVector> vectors(std::string_view) const override { return {}; }
+    VectorTable vectors(std::string_view) const override { return {}; }
+    std::string revision() const override { return {}; }
 
    private:
     Recipe recipe_;

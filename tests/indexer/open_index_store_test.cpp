@@ -40,3 +40,11 @@ TEST_CASE("a dry run creates no database") {
   CHECK(store->shapes().empty());
   CHECK(std::filesystem::is_empty(folder.path()));
 }
+
+TEST_CASE(
+    "an empty file, as a killed run may leave it, becomes a database of the recipe asked for") {
+  const test::TemporaryDirectory folder;
+  const std::filesystem::path path = folder.write("a.db", "");
+  CHECK(open_index_store(path, {.balls = 20, .radius_tolerance = {}}, false)->recipe().balls == 20);
+  CHECK(open_index_store(path, {}, false)->recipe().balls == 20);
+}

@@ -8,19 +8,21 @@
 
 #include "query/sketch_list.h"
 #include "query/sketch_tree.h"
+#include "tests/query/vector_tables.h"
 
 using namespace mdbd;
+using namespace mdbd::test;
 
 namespace {
 
 constexpr std::size_t vector_size = 60;
 
 // Numbers that vary together, far from the origin by `offset`.
-std::vector<StoredVector> correlated_collection(std::size_t size, float offset, unsigned seed) {
+std::vector<Model> correlated_collection(std::size_t size, float offset, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
-  std::vector<StoredVector> collection(size);
-  for (StoredVector& vector : collection) {
+  std::vector<Model> collection(size);
+  for (Model& vector : collection) {
     const float common = normal(random);
     for (std::size_t i = 0; i < vector_size; ++i) {
       const float sign = i % 3 == 0 ? -1.0F : 1.0F;
@@ -67,7 +69,7 @@ TEST_CASE("distances of sketches never exceed those of their vectors, and come n
   const float offset = GENERATE(0.0F, 1000.0F);
   const std::vector<MetricBlock> blocks = two_blocks(norm);
   const auto collection = correlated_collection(200, offset, 1);
-  const MetricSketch sketch(collection, blocks, 6);
+  const MetricSketch sketch(table_of(collection), blocks, 6);
   REQUIRE(sketch.size() == 6);
   CHECK(sketch.norm() == norm);
   std::vector<float> f(sketch.size());
@@ -93,7 +95,7 @@ TEST_CASE("distances of sketches never exceed those of their vectors, and come n
 TEST_CASE("distances in single precision are within their margin") {
   const PointNorm norm = GENERATE(PointNorm::l1, PointNorm::l2);
   const auto collection = correlated_collection(100, 10.0F, 2);
-  for (const StoredVector& vector : collection) {
+  for (const Model& vector : collection) {
     const double distance = true_distance(collection[0].values, vector.values, two_blocks(norm));
     CHECK(block_distance(collection[0].values, vector.values, two_blocks(norm)) ==
           Approx(distance).epsilon(single_precision_margin(vector_size)));
@@ -104,8 +106,8 @@ TEST_CASE("blocks that weigh nothing have no part in a sketch") {
   std::vector<MetricBlock> blocks = two_blocks(PointNorm::l2);
   blocks[1].weight = 0.0;
   auto collection = correlated_collection(50, 0.0F, 3);
-  for (StoredVector& vector : collection) vector.values.back() *= 1e6F;
-  const MetricSketch sketch(collection, blocks, 100);
+  for (Model& vector : collection) vector.values.back() *= 1e6F;
+  const MetricSketch sketch(table_of(collection), blocks, 100);
   CHECK(sketch.size() == 40);
   std::vector<float> numbers(40);
   std::vector<float> changed(40);
@@ -117,15 +119,17 @@ TEST_CASE("blocks that weigh nothing have no part in a sketch") {
 }
 
 TEST_CASE("what is within a radius is visited, also where the radius shrinks") {
-  const PointNorm norm = GENERATE(PointNorm::l1, PointNorm::l2);
+  const auto [norm, is_tree] =
+      GENERATE(std::pair(PointNorm::l1, false), std::pair(PointNorm::l2, false),
+               std::pair(PointNorm::l2, true));
   constexpr std::size_t dimension = 5;
-  constexpr std::size_t rows = 2000;
+  constexpr std::size_t rows = 2003;
   std::mt19937 random(4);
   std::uniform_real_distribution<float> anywhere;
   std::vector<float> points(rows * dimension);
   for (float& value : points) value = std::round(8 * anywhere(random)) / 8;  // many equal points
   const SketchTree tree(points, dimension);
-  const SketchList list(points, dimension);
+  const SketchList list(points, dimension, norm);
   for (std::size_t query = 0; query < 20; ++query) {
     const std::span<const float> point = std::span(points).subspan(query * dimension, dimension);
     const double radius = 0.05 * static_cast<double>(query);
@@ -134,8 +138,11 @@ TEST_CASE("what is within a radius is visited, also where the radius shrinks") {
       is_visited[row] = true;
       return radius;
     };
-    if (norm == PointNorm::l1) list.visit_within(point, 10.0, visitor);
-    if (norm == PointNorm::l2) tree.visit_within(point, 10.0, visitor);
+    if (is_tree) {
+      tree.visit_within(point, 10.0, visitor);
+    } else {
+      list.visit_within(point, 10.0, visitor);
+    }
     for (std::size_t row = 0; row < rows; ++row) {
       const double distance =
           sketch_distance(point, std::span(points).subspan(row * dimension, dimension), norm);

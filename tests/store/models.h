@@ -4,6 +4,7 @@
 
 #include "features/core/errors.h"
 #include "store/shape_record.h"
+#include "store/vector_table.h"
 
 /// Made-up models whose data follows from a seed, so that a reader can check it.
 namespace mdbd::test {
@@ -53,6 +54,10 @@ inline bool is_same(const ShapeData& left, const ShapeData& right) {
     if (a.center != b.center || a.radius != b.radius) return false;
   }
   return true;
+}
+
+inline std::vector<float> numbers(const StoredVector& vector) {
+  return {vector.values.begin(), vector.values.end()};
 }
 
 /// What a StoreError says; empty if `action` throws none.

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "store/shape_store.h"
@@ -116,13 +117,41 @@ TEST_CASE("readers work on whole models while another process writes") {
   REQUIRE(writer.read_bytes(1) == "+");
   const auto store = open_store_read_only(path);
   for (int i = 0; i < 20; ++i) {
-    const std::vector<StoredVector> vectors = store->vectors(signature_mdbd_100);
+    const VectorTable vectors = store->vectors(signature_mdbd_100);
     REQUIRE(vectors.size() == path_count);
-    for (const StoredVector& vector : vectors) {
+    for (const StoredVector vector : vectors) {
       const int seed = static_cast<int>(vector.values[0]);
       CHECK(vector.path == "/" + std::to_string(seed % path_count) + ".off");
-      CHECK(vector.values == make_data(seed).signature);
+      CHECK(numbers(vector) == make_data(seed).signature);
     }
   }
   CHECK(writer.read_all() == "done");
+}
+
+TEST_CASE("a writer whose file may not grow stops with a message and loses nothing") {
+  const TemporaryDirectory folder;
+  const fs::path path = folder / "a.db";
+  ChildProcess writer([&](int output) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1'000'000, 1'000'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const auto store = open_store(path);
+    int stored = 0;
+    const std::string error = store_error_of([&] {
+      for (int seed = 0; seed < 10'000; ++seed) {
+        store->put(make_record("/" + std::to_string(seed)), make_data(seed));
+        ++stored;
+      }
+    });
+    const bool is_whole = store->shapes().size() == static_cast<std::size_t>(stored);
+    write_text(output, std::to_string(stored) + (is_whole ? " kept, " : " stored, ") + error);
+  });
+  const std::string report = writer.read_all();
+  CHECK_THAT(report, Contains(" kept, " + path.string() + ": reading or writing failed"));
+  const int stored = std::stoi(report);
+  REQUIRE(stored > 10);
+  const auto store = open_store(path);
+  CHECK(store->shapes().size() == static_cast<std::size_t>(stored));
+  CHECK(is_same(store->data(store->find_by_path("/10")->id), make_data(10)));
+  store->put(make_record("/more"), make_data(1));
 }

@@ -159,14 +159,14 @@ TEST_CASE("vectors are those of indexed models, ordered by path") {
   const std::int64_t b = store->put(make_record("/b.off"), make_data(2));
   store->put(make_failed_record("/f.off"), {});
   const std::int64_t a = store->put(make_record("/a.off"), make_data(1));
-  const std::vector<StoredVector> vectors = store->vectors(signature_mdbd_100);
+  const VectorTable vectors = store->vectors(signature_mdbd_100);
   REQUIRE(vectors.size() == 2);
   CHECK(vectors[0].shape_id == a);
   CHECK(vectors[0].path == "/a.off");
   CHECK(vectors[0].scale == 1.5);
-  CHECK(vectors[0].values == make_data(1).signature);
+  CHECK(numbers(vectors[0]) == make_data(1).signature);
   CHECK(vectors[1].shape_id == b);
-  CHECK(vectors[1].values == make_data(2).signature);
+  CHECK(numbers(vectors[1]) == make_data(2).signature);
   CHECK(store->vectors("another").empty());
 }
 
@@ -289,10 +289,10 @@ TEST_CASE("further signatures stand beside mdbd-100 until the model is put again
   store->put_vector(id, "esf", std::vector<float>{1, 2, 3});
   store->put_vector(id, "esf", std::vector<float>{4, 5});
 
-  const std::vector<StoredVector> vectors = store->vectors("esf");
+  const VectorTable vectors = store->vectors("esf");
   REQUIRE(vectors.size() == 1);
   CHECK(vectors[0].shape_id == id);
-  CHECK(vectors[0].values == std::vector<float>{4, 5});
+  CHECK(numbers(vectors[0]) == std::vector<float>{4, 5});
   CHECK(is_same(store->data(id), make_data(1)));
   CHECK(store->vectors(signature_mdbd_100).size() == 2);
 

@@ -142,3 +142,12 @@ TEST_CASE("a database opened for reading refuses changes") {
   CHECK_THROWS_AS(database.execute("INSERT INTO t VALUES (1)"), SqliteError);
   CHECK(count_rows(database) == 0);
 }
+
+TEST_CASE("a full disk is named, and what was there before stays") {
+  const TemporaryDirectory folder;
+  const Database database = make_database(folder / "a.db");
+  database.execute("INSERT INTO t VALUES (1); PRAGMA max_page_count = 3");
+  CHECK_THAT(store_error_of([&] { database.execute("INSERT INTO t VALUES (zeroblob(100000))"); }),
+             StartsWith((folder / "a.db").string()) && Contains("the disk is full; make room"));
+  CHECK(count_rows(database) == 1);
+}
