@@ -43,6 +43,8 @@ void declare_options(CLI::App& app, IndexArguments& arguments) {
   add_solidify_option(app, arguments.recipe.solidify);
   add_duration_option(app, "--model-time", options.limits.time, "Time budget of a model");
   add_size_option(app, "--model-memory", options.limits.memory, "Memory budget of a model");
+  app.add_flag("--no-thumbnails", arguments.has_no_thumbnails,
+               "Draw no pictures of the models, which mdbd-query --html shows");
   app.add_flag("--force", options.force, "Compute unchanged and failed models again");
   app.add_flag("--prune", options.prune, "Remove models below PATH whose files are gone");
   app.add_flag("--dry-run", arguments.is_dry_run, "Tell what would be done; write nothing");

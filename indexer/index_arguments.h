@@ -18,6 +18,7 @@ struct IndexArguments {
   std::filesystem::path database;
   RecipeOverrides recipe;
   IndexOptions options;
+  bool has_no_thumbnails = false;
   bool is_dry_run = false;
   bool is_json = false;
   bool is_quiet = false;

@@ -37,8 +37,9 @@ ExitCode run(const mdbd::IndexArguments& arguments) {
   const auto store =
       mdbd::open_index_store(arguments.database, arguments.recipe, arguments.is_dry_run);
   const mdbd::DescribeFunction describe = [&](const std::filesystem::path& path) {
-    return arguments.is_dry_run ? mdbd::ShapeDescription{}
-                                : mdbd::describe_file(path, store->recipe());
+    if (arguments.is_dry_run) return mdbd::ShapeDescription{};
+    return arguments.has_no_thumbnails ? mdbd::describe_file(path, store->recipe())
+                                       : mdbd::describe_with_thumbnail(path, store->recipe());
   };
   const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
   console.finish();

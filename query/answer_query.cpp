@@ -49,6 +49,13 @@ std::unique_ptr<const SignatureMetric> make_metric(const Recipe& recipe,
   return options.has_chirality ? chiral_metric(std::move(metric)) : std::move(metric);
 }
 
+ShapeData to_data(ShapeDescription description) {
+  return {.balls = std::move(description.decomposition.balls),
+          .signature = std::move(description.descriptor.values),
+          .fused = std::move(description.fused),
+          .thumbnail = std::move(description.thumbnail)};
+}
+
 }  // namespace
 
 /// What a shape is searched by.
@@ -56,6 +63,7 @@ struct ShapeSearch::Query {
   std::vector<float> vector;     ///< of the signature
   std::vector<float> chirality;  ///< empty unless it is asked for
   double scale = 0.0;            ///< R
+  ShapeData data;                ///< empty unless it is asked for
 };
 
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
@@ -65,7 +73,12 @@ ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::siz
               queries) {}
 
 QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
-  QueryAnswer answer{.query = std::move(name), .result = {}, .completed = completed_};
+  QueryAnswer answer{.query = std::move(name),
+                     .result = {},
+                     .completed = completed_,
+                     .radius_count = static_cast<std::size_t>(store_.recipe().descriptor_balls),
+                     .query_scale = query.scale,
+                     .query_data = std::move(query.data)};
   SearchOptions search{.count = options_.count,
                        .threshold = options_.threshold,
                        .differences = options_.differences};
@@ -75,6 +88,11 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   }
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
   answer.result = search_.search(query.vector, search);
+  if (options_.has_data) {
+    for (const Match& match : answer.result.matches) {
+      answer.match_data.push_back(store_.data(match.id));
+    }
+  }
   if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
     const std::span<const float> vector = search_.collection()[match.row].values;
@@ -87,11 +105,13 @@ QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
                                  const DescribeQuery& describe) const {
   ShapeDescription description = describe_query(file, store_.recipe(), describe);
   Query query{.vector = options_.signature == SignatureKind::mdbd_100
-                            ? std::move(description.descriptor.values)
-                            : std::move(description.fused),
+                            ? description.descriptor.values
+                            : description.fused,
               .chirality = {},
-              .scale = description.decomposition.scale};
+              .scale = description.decomposition.scale,
+              .data = {}};
   if (options_.has_chirality) query.chirality = compute_chirality(description.decomposition.balls);
+  if (options_.has_data) query.data = to_data(std::move(description));
   return answer(file.string(), std::move(query));
 }
 
@@ -106,8 +126,10 @@ QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
   }
   Query query{.vector = stored_vector(store_, id, options_.signature),
               .chirality = {},
-              .scale = record->scale};
+              .scale = record->scale,
+              .data = {}};
   if (options_.has_chirality) query.chirality = stored_chirality(store_, id);
+  if (options_.has_data) query.data = store_.data(id);
   return answer(record->path, std::move(query));
 }
 

@@ -24,6 +24,7 @@ struct QueryArguments {
   bool has_duplicates = false;  ///< asked for, in place of a query
   DuplicateOptions duplicates;
   bool is_explained = false;
+  std::filesystem::path html;  ///< the page to write; empty: none
   bool is_json = false;
   bool is_csv = false;
 };

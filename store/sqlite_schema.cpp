@@ -46,6 +46,12 @@ CREATE TABLE balls (
   shape_id INTEGER PRIMARY KEY REFERENCES shapes (id) ON DELETE CASCADE,
   "values" BLOB NOT NULL
 ) STRICT;
+)",
+                                   R"(
+CREATE TABLE thumbnails (
+  shape_id INTEGER PRIMARY KEY REFERENCES shapes (id) ON DELETE CASCADE,
+  png BLOB NOT NULL
+) STRICT;
 )"};
 constexpr std::int64_t known_schema = migrations.size();
 

@@ -47,6 +47,10 @@ bool all_finite(const std::vector<Ball>& balls) {
   return std::all_of(balls.begin(), balls.end(), is_finite);
 }
 
+std::string read_thumbnail(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 bool all_finite(std::span<const float> values) {
   return std::all_of(values.begin(), values.end(),
                      [](float value) { return std::isfinite(value); });
@@ -82,6 +86,7 @@ std::int64_t SqliteShapeStore::put(const ShapeRecord& record, const ShapeData& d
   const std::int64_t id = put_record(record);
   Statement(database_, "DELETE FROM vectors WHERE shape_id = ?").bind(id).run();
   Statement(database_, "DELETE FROM balls WHERE shape_id = ?").bind(id).run();
+  Statement(database_, "DELETE FROM thumbnails WHERE shape_id = ?").bind(id).run();
   if (record.status == ShapeStatus::indexed) put_data(id, data);
   transaction.commit();
   require_in_place();
@@ -142,11 +147,13 @@ void SqliteShapeStore::put_vector(std::int64_t id, std::string_view signature,
 
 ShapeData SqliteShapeStore::data(std::int64_t id) const {
   const Transaction reading(database_, Transaction::Kind::reading);
-  Statement row(database_,
-                "SELECT s.path, s.status, v.\"values\", b.\"values\", f.\"values\" FROM shapes s"
-                " LEFT JOIN vectors v ON v.shape_id = s.id AND v.signature = ?"
-                " LEFT JOIN vectors f ON f.shape_id = s.id AND f.signature = ?"
-                " LEFT JOIN balls b ON b.shape_id = s.id WHERE s.id = ?");
+  Statement row(
+      database_,
+      "SELECT s.path, s.status, v.\"values\", b.\"values\", f.\"values\", t.png FROM shapes s"
+      " LEFT JOIN vectors v ON v.shape_id = s.id AND v.signature = ?"
+      " LEFT JOIN vectors f ON f.shape_id = s.id AND f.signature = ?"
+      " LEFT JOIN balls b ON b.shape_id = s.id"
+      " LEFT JOIN thumbnails t ON t.shape_id = s.id WHERE s.id = ?");
   row.bind(signature_mdbd_100, stored_mdbd_fused, id);
   if (!row.step()) {
     throw StoreError(database_.path().string() + ": holds no model " + std::to_string(id));
@@ -154,7 +161,7 @@ ShapeData SqliteShapeStore::data(std::int64_t id) const {
   if (row.text(1) != to_string(ShapeStatus::indexed)) return {};
   const std::string path = row.text(0);
   return {read_balls(row.bytes(3), path), read_signature(row.bytes(2), path),
-          read_vector(row.bytes(4), path)};
+          read_vector(row.bytes(4), path), read_thumbnail(row.bytes(5))};
 }
 
 std::vector<std::int64_t> SqliteShapeStore::shapes_without(std::string_view signature) const {
@@ -289,6 +296,10 @@ void SqliteShapeStore::put_data(std::int64_t id, const ShapeData& data) {
   const Blob balls = encode_balls(data.balls);
   Statement(database_, "INSERT INTO balls (shape_id, \"values\") VALUES (?, ?)")
       .bind(id, std::span<const std::byte>(balls))
+      .run();
+  if (data.thumbnail.empty()) return;
+  Statement(database_, "INSERT INTO thumbnails (shape_id, png) VALUES (?, ?)")
+      .bind(id, std::as_bytes(std::span(data.thumbnail)))
       .run();
 }
 

@@ -44,6 +44,9 @@ mdbd_cli_test(NAME index/prune SETUP "${copy_models}"
 mdbd_cli_test(NAME index/dry_run SETUP "${copy_models}"
   COMMAND sh -c "${index} models --dry-run && ! test -e mdbd.db"
   REGEXP "to index +2\n" "Nothing was written")
+mdbd_cli_test(NAME index/no_thumbnails
+  COMMAND sh -c "${index} '${models}' --no-thumbnails --db a.db && ${index} '${models}' --db b.db && \
+    grep -c PNG b.db && ! grep PNG a.db")
 mdbd_cli_test(NAME index/same_with_any_jobs SETUP "${copy_models}"
   COMMAND sh -c "${index} models --db a.db --jobs 1 && ${index} models --db b.db --jobs 2 && \
     ${query} --db a.db | cut -d, -f1,3- > a && ${query} --db b.db | cut -d, -f1,3- > b && \

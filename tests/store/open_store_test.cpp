@@ -143,10 +143,25 @@ TEST_CASE("a database of a newer schema is refused") {
   const TemporaryDirectory folder;
   make_store_with_one_model(folder / "a.db");
   Database(folder / "a.db", Access::read_write).execute("PRAGMA user_version = 7");
-  check_both_refuse(folder / "a.db", "made by a newer mdbd (schema 7; this one knows 1); update");
+  check_both_refuse(folder / "a.db", "made by a newer mdbd (schema 7; this one knows 2); update");
 }
 
-TEST_CASE("the tables of schema 1 are these") {
+TEST_CASE("a database of schema 1 is brought up to date when it is opened for writing") {
+  const TemporaryDirectory folder;
+  make_store_with_one_model(folder / "a.db");
+  Database(folder / "a.db", Access::read_write)
+      .execute("DROP TABLE thumbnails; PRAGMA user_version = 1");
+  CHECK_THAT(store_error_of([&] { open_store_read_only(folder / "a.db"); }),
+             Contains("run mdbd-index on it first"));
+  const auto store = open_store(folder / "a.db");
+  ShapeData without_thumbnail = make_data(1);
+  without_thumbnail.thumbnail.clear();
+  CHECK(is_same(store->data(1), without_thumbnail));
+  store->put(make_record("/a.off"), make_data(2));
+  CHECK(is_same(store->data(1), make_data(2)));
+}
+
+TEST_CASE("the tables of schema 2 are these") {
   const TemporaryDirectory folder;
   open_store(folder / "a.db");
   const Database database(folder / "a.db", Access::read_only);
@@ -154,7 +169,7 @@ TEST_CASE("the tables of schema 1 are these") {
                 "SELECT group_concat(name, ' ') FROM (SELECT name FROM sqlite_schema"
                 " WHERE name NOT LIKE 'sqlite%' ORDER BY name)");
   REQUIRE(row.step());
-  CHECK(row.text(0) == "balls recipe shapes shapes_by_content vectors");
+  CHECK(row.text(0) == "balls recipe shapes shapes_by_content thumbnails vectors");
 }
 
 TEST_CASE("a database in a read-only folder can be read, not written") {
