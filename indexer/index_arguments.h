@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct IndexArguments {
   IndexOptions options;
   bool has_no_thumbnails = false;
   bool is_dry_run = false;
+  bool is_watching = false;
+  std::chrono::duration<double> rescan = std::chrono::minutes(1);
   bool is_json = false;
   bool is_quiet = false;
 };

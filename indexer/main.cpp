@@ -1,10 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/interruption.h"
 #include "cli/program.h"
+#include "indexer/change_printer.h"
 #include "indexer/console_observer.h"
 #include "indexer/index_arguments.h"
 #include "indexer/index_report.h"
+#include "indexer/watch_index.h"
 
 namespace {
 
@@ -41,6 +44,12 @@ ExitCode run(const mdbd::IndexArguments& arguments) {
     return arguments.has_no_thumbnails ? mdbd::describe_file(path, store->recipe())
                                        : mdbd::describe_with_thumbnail(path, store->recipe());
   };
+  if (arguments.is_watching) {
+    mdbd::ChangePrinter printer(console, arguments.is_quiet);
+    mdbd::watch_index(found.roots, arguments.options, describe, *store, printer,
+                      {.rescan = arguments.rescan, .is_ended = mdbd::is_interruption_wanted});
+    return ExitCode::done;
+  }
   const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
   console.finish();
   return report(summary, arguments);

@@ -78,6 +78,12 @@ mdbd_cli_test(NAME index/interrupted EXIT 1 SETUP "${copy_models}"
     sleep 1 && kill -INT $! && wait $!"
   REGEXP "interrupted: 1 model left; run the same command to continue")
 
+mdbd_cli_test(NAME index/watch
+  COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/watch.sh $<TARGET_FILE:mdbd-index> $<TARGET_FILE:mdbd-query> ${models}
+  REGEXP "^watching: 2 indexed")
+mdbd_cli_test(NAME index/watch_and_json COMMAND mdbd-index models --watch --json EXIT 2 REGEXP "excludes")
+mdbd_cli_test(NAME index/rescan_alone COMMAND mdbd-index models --rescan 5 EXIT 2 REGEXP "requires --watch")
+
 mdbd_cli_test(NAME index/missing_path EXIT 1
   COMMAND sh -c "${index} typo || ! test -e mdbd.db || exit 2 && exit 1"
   REGEXP "mdbd-index: error: [^\n]*/typo: No such file or directory")
