@@ -15,7 +15,7 @@ file(CONFIGURE OUTPUT ${package_documents}/changelog CONTENT
 file(CONFIGURE OUTPUT ${package_documents}/copyright CONTENT
 "mdbd, @PROJECT_DESCRIPTION@
 
-Copyright: its authors. The sources name no licence: ask the authors before you pass it on.
+Copyright (C) 2026 the authors of mdbd. The sources name no licence: ask the authors before you pass it on.
 " @ONLY)
 execute_process(COMMAND gzip -9nf ${package_documents}/changelog COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${package_documents}/changelog.gz ${package_documents}/copyright
@@ -34,12 +34,11 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME mdbd)
 set(CPACK_DEBIAN_PROGRAMS_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "search 3D models by shape
- Finds the models of a folder that look like a given one, whatever their pose,
- scale and format: meshes as OFF, OBJ, PLY and STL, and point clouds. Each is
- decomposed into the largest balls that fit inside it, one after the other,
- whose radii and contacts are compared (maximal disjoint ball decompositions).
- .
- It needs no training, no display and no network.")
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "Finds the models of a folder that look like a given one, whatever their pose,
+scale and format: meshes as OFF, OBJ, PLY and STL, and point clouds. Each is
+decomposed into the largest balls that fit inside it, one after the other,
+whose radii and contacts are compared.
+
+It needs no training, no display and no network.")
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${MDBD_MAINTAINER})
 include(CPack)

@@ -34,7 +34,7 @@ void declare_options(CLI::App& app, IndexArguments& arguments) {
       ->type_name("");
   add_database_option(app, arguments.database);
   add_number(app, "--jobs", options.jobs, 1, 1024, "Models computed at once")
-      ->capture_default_str();
+      ->default_str("processors");
   add_number(app, "--balls", arguments.recipe.balls, 1, 100'000, "Balls of a model")
       ->default_str(std::to_string(defaults.balls));
   add_number(app, "--tolerance", arguments.recipe.radius_tolerance, 1e-9, 0.5,

@@ -22,9 +22,9 @@ for program in bin/mdbd-*; do
     "$program" --help | options_of
     for command in $commands; do "$program" "$command" --help | options_of; done
   } | sort -u)
-  page=$(gzip -dc "$man_folder/$name.1.gz" | sed 's/\\-/-/g')
+  gzip -dc "$man_folder/$name.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]/ /g' >page.txt
   for word in $words $commands; do
-    echo "$page" | grep -qE -e "(\\\\fB| )$word\\\\fR" || complain "$name: $word is not in the manual page"
+    grep -qE -e " $word( |,|\$)" page.txt || complain "$name: $word is not in the manual page"
     for file in "$data/bash-completion/completions/$name" "$data/zsh/vendor-completions/_$name"; do
       grep -qE -e "(^|[^a-z-])$word([^a-z-]|\$)" "$file" || complain "$name: $word is not in $file"
     done
