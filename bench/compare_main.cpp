@@ -7,9 +7,9 @@
 #include "cli/program.h"
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
-#include "evaluation/report/format_report.h"
 #include "features/core/errors.h"
 #include "features/shape_io/read_mesh.h"
+#include "report/format_report.h"
 
 namespace {
 

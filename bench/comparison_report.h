@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/comparison.h"
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd::bench {
 

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/documents.h"
 #include "cli/terminal.h"
 
 namespace mdbd {
@@ -35,6 +36,15 @@ ExitCode flush_results(std::string_view program, ExitCode code) {
   return ExitCode::failed;
 }
 
+/// A document of the program, if the command line asks for one and nothing else.
+std::string asked_document(const CLI::App& app, int argc, char** argv) {
+  if (argc == 2 && std::string_view(argv[1]) == "--man") return format_man_page(app, version());
+  if (argc == 3 && std::string_view(argv[1]) == "--completion") {
+    return format_completion(app, argv[2]);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view version() { return MDBD_VERSION; }
@@ -53,6 +63,10 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<ExitCo
   try {
     app.set_version_flag("--version", fmt::format("{} {}", program, version()),
                          "Print the version and exit");
+    if (const std::string text = asked_document(app, argc, argv); !text.empty()) {
+      fmt::print("{}", text);
+      return to_int(flush_results(program, ExitCode::done));
+    }
     app.parse(argc, argv);
     return to_int(flush_results(program, body()));
   } catch (const CLI::Success& request) {  // --help, --version

@@ -26,9 +26,11 @@ std::string_view version();
 /// Parses the command line and calls `body`, the program's work, if there is work to do: the whole
 /// of a main function after its options are declared. Adds --version.
 ///
-/// `--help` and `--version` go to standard output. A wrong command line ends with ExitCode::usage.
-/// An exception of `body`, or standard output that cannot be written, is reported on standard error
-/// as "NAME: error: …", with the name of `app`, and ends with ExitCode::failed.
+/// `--man` alone prints the manual page, `--completion SHELL` alone a script (documents.h); both
+/// are for packagers and no part of `--help`. `--help` and `--version` go to standard output. A
+/// wrong command line ends with ExitCode::usage. An exception of `body`, or standard output that
+/// cannot be written, is reported on standard error as "NAME: error: …", with the name of `app`,
+/// and ends with ExitCode::failed.
 /// @returns the exit code
 int run_program(CLI::App& app, int argc, char** argv, const std::function<ExitCode()>& body);
 

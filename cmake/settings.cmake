@@ -53,5 +53,33 @@ endfunction()
 function(mdbd_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE mdbd_settings)
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+  mdbd_documents(${name})
+endfunction()
+
+# The manual page and the completions of a program, which it writes itself.
+function(mdbd_documents name)
+  set(folder ${PROJECT_BINARY_DIR}/documents)
+  set(man ${folder}/${name}.1.gz)
+  set(bash ${folder}/bash/${name})
+  set(zsh ${folder}/zsh/_${name})
+  set(fish ${folder}/fish/${name}.fish)
+  file(MAKE_DIRECTORY ${folder}/bash ${folder}/zsh ${folder}/fish)
+  add_custom_command(OUTPUT ${man} ${bash} ${zsh} ${fish}
+    COMMAND $<TARGET_FILE:${name}> --man | gzip -9n > ${man}
+    COMMAND $<TARGET_FILE:${name}> --completion bash > ${bash}
+    COMMAND $<TARGET_FILE:${name}> --completion zsh > ${zsh}
+    COMMAND $<TARGET_FILE:${name}> --completion fish > ${fish}
+    DEPENDS ${name}
+    COMMENT "Writing the manual page and completions of ${name}"
+    VERBATIM)
+  add_custom_target(${name}-documents ALL DEPENDS ${man} ${bash} ${zsh} ${fish})
+  install(FILES ${man} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT programs)
+  install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    COMPONENT programs)
+  install(FILES ${zsh} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+    COMPONENT programs)
+  install(FILES ${fish} DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+    COMPONENT programs)
 endfunction()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -52,7 +53,12 @@ class Search {
     } else {
       add_model(root, status);
     }
-    while (!folders_.empty()) search_next_folder();
+    search_folders();
+  }
+
+  void look_at(const std::string& path) {
+    visit(path);
+    search_folders();
   }
 
   Discovery finish(std::vector<std::string> roots) {
@@ -69,6 +75,10 @@ class Search {
   }
 
  private:
+  void search_folders() {
+    while (!folders_.empty()) search_next_folder();
+  }
+
   void search_next_folder() {
     const std::string folder = std::move(folders_.back());
     folders_.pop_back();
@@ -120,15 +130,35 @@ class Search {
   std::vector<std::string> folders_;
 };
 
-}  // namespace
-
-Discovery discover(std::span<const fs::path> paths) {
-  Search search;
+std::vector<std::string> to_roots(std::span<const fs::path> paths) {
   std::vector<std::string> roots;
   for (const fs::path& path : paths) roots.push_back(absolute_normal(path));
   std::ranges::sort(roots);
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  return roots;
+}
+
+}  // namespace
+
+Discovery discover(std::span<const fs::path> paths) {
+  Search search;
+  std::vector<std::string> roots = to_roots(paths);
   for (const std::string& root : roots) search.start(root);
+  return search.finish(std::move(roots));
+}
+
+Discovery discover_existing(std::span<const fs::path> paths) {
+  std::vector<fs::path> existing;
+  std::error_code ignored;
+  std::ranges::copy_if(paths, std::back_inserter(existing),
+                       [&](const fs::path& path) { return fs::exists(path, ignored); });
+  return discover(existing);
+}
+
+Discovery discover_changed(std::span<const fs::path> paths) {
+  Search search;
+  std::vector<std::string> roots = to_roots(paths);
+  for (const std::string& root : roots) search.look_at(root);
   return search.finish(std::move(roots));
 }
 

@@ -40,6 +40,14 @@ struct Discovery {
 /// @throws IoError if one of the paths does not exist
 Discovery discover(std::span<const std::filesystem::path> paths);
 
+/// As discover(), but a path that does not exist is passed over, and is no root.
+Discovery discover_existing(std::span<const std::filesystem::path> paths);
+
+/// Looks at files and folders that have changed below the paths of an earlier discovery, as that
+/// would: what does not exist, or is no model, is passed over, but all are roots.
+/// @param paths absolute and lexically normal
+Discovery discover_changed(std::span<const std::filesystem::path> paths);
+
 /// Whether a path is one of the roots of a discovery or lies below one.
 bool is_within(const std::string& path, std::span<const std::string> roots);
 

@@ -58,9 +58,9 @@ std::string compute_isolated(const std::filesystem::path& file, const ProcessLim
 }
 
 ShapeDescription describe_isolated(const std::filesystem::path& file, const Recipe& recipe,
-                                   const ProcessLimits& limits) {
+                                   const ProcessLimits& limits, bool has_thumbnail) {
   const DescribeFunction describe = [&](const std::filesystem::path& path) {
-    return describe_file(path, recipe);
+    return has_thumbnail ? describe_with_thumbnail(path, recipe) : describe_file(path, recipe);
   };
   ModelResult result = read_model_result(run_process(
       limits, [&](const SendOutput& send) { run_model_job(file, {}, describe, send); }));
@@ -77,6 +77,7 @@ ShapeDescription describe_isolated(const std::filesystem::path& file, const Reci
   description.descriptor.radius_count = recipe.descriptor_balls;
   description.descriptor.walk_is_defined = record.walk_is_defined;
   description.fused = std::move(result.data.fused);
+  description.thumbnail = std::move(result.data.thumbnail);
   return description;
 }
 

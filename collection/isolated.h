@@ -23,12 +23,12 @@ namespace mdbd {
 std::string compute_isolated(const std::filesystem::path& file, const ProcessLimits& limits,
                              const std::function<std::string()>& compute);
 
-/// describe_file() in a process of its own. Of the decomposition only the balls and the scale
-/// arrive.
+/// describe_file(), or describe_with_thumbnail(), in a process of its own. Of the decomposition
+/// only the balls and the scale arrive.
 /// @throws IoError or InvalidInput as describe_file(), and InvalidInput with the reason if the
 ///         process crashed or went beyond its limits; the message does not name the file
 /// @throws std::system_error if the system gives no process
 ShapeDescription describe_isolated(const std::filesystem::path& file, const Recipe& recipe,
-                                   const ProcessLimits& limits);
+                                   const ProcessLimits& limits, bool has_thumbnail = false);
 
 }  // namespace mdbd

@@ -10,6 +10,7 @@
 
 #include "features/core/errors.h"
 #include "features/shape_io/content_hash.h"
+#include "picture/thumbnail.h"
 
 using nlohmann::json;
 
@@ -21,6 +22,7 @@ constexpr std::size_t hash_length = 32;
 // A job's output is the hash, then this object as CBOR, which keeps every bit of a double.
 json encode(const ModelResult& result) {
   const ShapeRecord& record = result.record;
+  const std::string& thumbnail = result.data.thumbnail;
   json balls = json::array();
   for (const Ball& ball : result.data.balls) {
     balls.insert(balls.end(), {ball.center.x(), ball.center.y(), ball.center.z(), ball.radius});
@@ -36,7 +38,8 @@ json encode(const ModelResult& result) {
           {"walk_is_defined", record.walk_is_defined},
           {"balls", std::move(balls)},
           {"signature", result.data.signature},
-          {"fused", result.data.fused}};
+          {"fused", result.data.fused},
+          {"thumbnail", json::binary({thumbnail.begin(), thumbnail.end()})}};
 }
 
 ModelResult decode(const json& object) {
@@ -53,6 +56,8 @@ ModelResult decode(const json& object) {
   object.at("walk_is_defined").get_to(record.walk_is_defined);
   object.at("signature").get_to(result.data.signature);
   object.at("fused").get_to(result.data.fused);
+  const json::binary_t& thumbnail = object.at("thumbnail").get_binary();
+  result.data.thumbnail.assign(thumbnail.begin(), thumbnail.end());
   const auto balls = object.at("balls").get<std::vector<double>>();
   for (std::size_t i = 0; i + 4 <= balls.size(); i += 4) {
     result.data.balls.push_back({{balls[i], balls[i + 1], balls[i + 2]}, balls[i + 3]});
@@ -95,6 +100,7 @@ ModelResult succeeded(ShapeDescription description) {
   result.data.balls = decomposition.balls;
   result.data.signature = std::move(description.descriptor.values);
   result.data.fused = std::move(description.fused);
+  result.data.thumbnail = std::move(description.thumbnail);
   return result;
 }
 
@@ -128,6 +134,13 @@ ModelResult read_output(const ProcessOutcome& outcome) {
 }
 
 }  // namespace
+
+ShapeDescription describe_with_thumbnail(const std::filesystem::path& path, const Recipe& recipe) {
+  const Shape shape = load_shape(path, recipe);
+  ShapeDescription description = describe_shape(shape, recipe);
+  description.thumbnail = draw_thumbnail(shape.surface, description.decomposition.balls);
+  return description;
+}
 
 std::string content_key(const std::string& content_hash, const std::filesystem::path& path) {
   std::string ending = path.extension().string();

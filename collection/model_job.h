@@ -14,6 +14,9 @@ namespace mdbd {
 /// Computes what the store keeps of a file; throws as describe_file() does.
 using DescribeFunction = std::function<ShapeDescription(const std::filesystem::path&)>;
 
+/// describe_file(), with a picture of the shape.
+ShapeDescription describe_with_thumbnail(const std::filesystem::path& path, const Recipe& recipe);
+
 /// What the result of a file depends on: its content, and its ending, which says how to read it.
 std::string content_key(const std::string& content_hash, const std::filesystem::path& path);
 

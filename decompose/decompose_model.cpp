@@ -1,5 +1,7 @@
 #include "decompose/decompose_model.h"
 
+#include <variant>
+
 #include <fmt/format.h>
 
 #include "features/core/errors.h"
@@ -7,6 +9,11 @@
 
 namespace mdbd {
 namespace {
+
+PlanarDomain outlines_of(const Shape& shape) {
+  const auto* outlines = std::get_if<PlanarDomain>(&shape.surface);
+  return outlines == nullptr ? PlanarDomain{} : *outlines;
+}
 
 DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& recipe) {
   const Shape shape = load_shape(path, recipe);
@@ -16,7 +23,7 @@ DecomposedModel decompose_file(const std::filesystem::path& path, const Recipe& 
   return {.path = path.string(),
           .representation = shape.representation,
           .statistics = shape.statistics,
-          .outlines = shape.outlines,
+          .outlines = outlines_of(shape),
           .recipe = recipe,
           .minimum_radius = minimum_radius(shape, recipe),
           .decomposition = std::move(decomposition),

@@ -44,7 +44,7 @@ void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recip
   add_denoise_option(app, arguments.denoise);
   add_solidify_option(app, arguments.solidify);
   add_number(app, "--jobs", arguments.cache.jobs, 1, 1024, "Models computed at once")
-      ->capture_default_str();
+      ->default_str("processors");
   app.add_option("--cache", arguments.cache.folder, "Keep what is computed in this folder")
       ->type_name("DIR")
       ->capture_default_str();

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "evaluation/evaluation_input.h"
-#include "evaluation/report/report.h"
 #include "evaluation/reports/certificate_report.h"
 #include "evaluation/reports/classify_report.h"
 #include "evaluation/reports/invariance_report.h"
@@ -16,6 +15,7 @@
 #include "evaluation/reports/representations_report.h"
 #include "evaluation/reports/retrieval_report.h"
 #include "evaluation/write_outputs.h"
+#include "report/report.h"
 
 namespace CLI {
 class App;

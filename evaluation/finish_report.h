@@ -4,7 +4,7 @@
 #include <string>
 
 #include "evaluation/evaluation_input.h"
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd {
 

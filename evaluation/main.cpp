@@ -9,7 +9,7 @@
 #include "evaluation/console_progress.h"
 #include "evaluation/evaluate_arguments.h"
 #include "evaluation/finish_report.h"
-#include "evaluation/report/format_report.h"
+#include "report/format_report.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "evaluation/report/format_report.h"
 #include "features/core/errors.h"
 #include "features/shape_io/output_file.h"
+#include "report/format_report.h"
 
 namespace fs = std::filesystem;
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd {
 

@@ -1,5 +1,7 @@
 #include "features/cloud_shape.h"
 
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "features/distance/point_cloud_distance_field.h"
@@ -29,13 +31,19 @@ std::string describe_cloud(const PointCloudFile& file, const OrientedCloud& orie
   return record.dump();
 }
 
+PointCloud visible_points(OrientedCloud oriented) {
+  for (Eigen::Vector3d& normal : oriented.area_vectors) normal.normalize();
+  return {.points = std::move(oriented.points), .normals = std::move(oriented.area_vectors)};
+}
+
 Shape to_shape(const PointCloudFile& file) {
-  const OrientedCloud oriented = orient_cloud(file.cloud);
+  OrientedCloud oriented = orient_cloud(file.cloud);
   return {.format = file.format,
           .representation = "point cloud",
           .statistics = describe_cloud(file, oriented),
           .field = std::make_unique<PointCloudDistanceField>(oriented),
-          .least_radius = least_radius_in_spacings * oriented.spacing};
+          .least_radius = least_radius_in_spacings * oriented.spacing,
+          .surface = visible_points(std::move(oriented))};
 }
 
 }  // namespace

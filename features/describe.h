@@ -18,7 +18,8 @@ struct ShapeDescription {
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   BallDecomposition decomposition;
   Descriptor descriptor;
-  std::vector<float> fused;  ///< mdbd-fused
+  std::vector<float> fused;    ///< mdbd-fused
+  std::string thumbnail = {};  ///< a PNG file if a picture was drawn (picture/thumbnail.h)
 };
 
 /// Decomposes a shape and computes its signatures.

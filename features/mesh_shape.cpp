@@ -92,11 +92,12 @@ std::string describe_preparation(const MeshFile& file, const PreparedMesh& prepa
 }
 
 Shape to_shape(MeshFile file, const Recipe& recipe) {
-  const PreparedMesh prepared = prepare(std::move(file.mesh), file.statistics, recipe);
+  PreparedMesh prepared = prepare(std::move(file.mesh), file.statistics, recipe);
   return {.format = file.format,
           .representation = "mesh",
           .statistics = describe_preparation(file, prepared),
-          .field = std::make_unique<MeshDistanceField>(prepared.mesh, prepared.is_closed)};
+          .field = std::make_unique<MeshDistanceField>(prepared.mesh, prepared.is_closed),
+          .surface = std::move(prepared.mesh)};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Shape to_shape(const PlanarFile& file) {
           .representation = "planar domain",
           .statistics = record.dump(),
           .field = std::make_unique<PlanarDistanceField>(file.domain),
-          .outlines = file.domain};
+          .surface = file.domain};
 }
 
 }  // namespace

@@ -3,13 +3,20 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "features/core/recipe.h"
 #include "features/decomposition/ball_decomposition.h"
 #include "features/distance/distance_field.h"
 #include "features/planar/planar_domain.h"
+#include "features/shape_io/point_cloud.h"
+#include "features/shape_io/triangle_mesh.h"
 
 namespace mdbd {
+
+/// What pictures show of a shape: a mesh, points with normals, outlines in the plane or, of a
+/// representation that has no surface at hand, nothing. No number depends on it.
+using VisibleSurface = std::variant<std::monostate, TriangleMesh, PointCloud, PlanarDomain>;
 
 /// A shape, ready to be measured. Each representation makes it in files of its own (mesh_shape.h,
 /// brep_shape.h, cloud_shape.h); behind `field` nothing knows which it was.
@@ -20,7 +27,7 @@ struct Shape {
   std::unique_ptr<const DistanceField> field;
   /// The representation says nothing of smaller balls, which are not placed; object units.
   double least_radius = 0.0;
-  PlanarDomain outlines = {};  ///< of a domain in the plane; else empty
+  VisibleSurface surface = {};
 };
 
 /// Reads a shape and prepares it as the recipe says. The one place where a representation is

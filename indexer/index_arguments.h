@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ struct IndexArguments {
   RecipeOverrides recipe;
   IndexOptions options;
   std::string unit;  ///< of files whose format has none; empty if it is not declared
+  bool has_no_thumbnails = false;
   bool is_dry_run = false;
+  bool is_watching = false;
+  std::chrono::duration<double> rescan = std::chrono::minutes(1);
   bool is_json = false;
   bool is_quiet = false;
 };

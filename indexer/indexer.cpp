@@ -70,6 +70,10 @@ class IndexRun {
     }
   }
 
+  void tell(IndexChange::Kind kind, const std::string& path, const std::string& old_path = {}) {
+    observer_.on_change({.kind = kind, .path = path, .old_path = old_path});
+  }
+
   void remember(const ShapeRecord& record) {
     if (!record.content_hash.empty()) {
       known_keys_.insert(content_key(record.content_hash, record.path));
@@ -167,6 +171,7 @@ class IndexRun {
     } else {
       store_.put(record, result.data);
       ++summary_.indexed;
+      tell(IndexChange::Kind::indexed, record.path);
     }
     remember(record);
   }
@@ -193,6 +198,7 @@ class IndexRun {
     if (moved != known.end()) {
       store_.move(moved->id, file.path, file.modified_ns);
       records_.erase(moved->path);
+      tell(IndexChange::Kind::moved, file.path, moved->path);
       count_known(with_file(*moved, file), summary_.moved);
     } else {
       ModelResult copy;
@@ -215,8 +221,10 @@ class IndexRun {
       if (options_.prune && is_obsolete) {
         store_.remove(record.id);
         ++summary_.removed;
+        tell(IndexChange::Kind::removed, path);
       } else if (is_gone(path)) {
         ++summary_.gone;
+        tell(IndexChange::Kind::gone, path);
       }
     }
   }

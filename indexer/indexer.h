@@ -25,6 +25,14 @@ struct IndexFailure {
   bool is_old = false;  ///< known from an earlier run and not tried again
 };
 
+/// What became of a model, where that changed something.
+struct IndexChange {
+  enum class Kind { indexed, moved, removed, gone };
+  Kind kind = Kind::indexed;
+  std::string path;
+  std::string old_path;  ///< of a model that moved
+};
+
 /// What a run did. Every model found counts once, as indexed, unchanged, moved or failed.
 struct IndexSummary {
   std::size_t indexed = 0;    ///< new or changed, and in the store now
@@ -46,7 +54,8 @@ class IndexObserver {
   virtual void on_start(std::size_t models) = 0;  ///< models that are not plainly unchanged
   virtual void on_model_done(bool has_failed) = 0;
   virtual void on_failure(const IndexFailure& failure) = 0;  ///< new ones only
-  virtual void on_wait() = 0;                                ///< about ten times a second
+  virtual void on_change(const IndexChange& /*change*/) {}
+  virtual void on_wait() = 0;  ///< about ten times a second
   /// True ends the run: models in flight are finished and stored, no other is started.
   virtual bool is_interrupted() = 0;
 };

@@ -1,11 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/interruption.h"
 #include "cli/program.h"
 #include "features/shape_unit.h"
+#include "indexer/change_printer.h"
 #include "indexer/console_observer.h"
 #include "indexer/index_arguments.h"
 #include "indexer/index_report.h"
+#include "indexer/watch_index.h"
 
 namespace {
 
@@ -39,12 +42,20 @@ ExitCode run(const mdbd::IndexArguments& arguments) {
       mdbd::open_index_store(arguments.database, arguments.recipe, arguments.is_dry_run);
   const mdbd::DescribeFunction describe = [&](const std::filesystem::path& path) {
     if (arguments.is_dry_run) return mdbd::ShapeDescription{};
-    mdbd::ShapeDescription description = mdbd::describe_file(path, store->recipe());
+    mdbd::ShapeDescription description = arguments.has_no_thumbnails
+                                             ? mdbd::describe_file(path, store->recipe())
+                                             : mdbd::describe_with_thumbnail(path, store->recipe());
     if (!arguments.unit.empty()) {
       description.statistics = mdbd::declare_unit(description.statistics, arguments.unit);
     }
     return description;
   };
+  if (arguments.is_watching) {
+    mdbd::ChangePrinter printer(console, arguments.is_quiet);
+    mdbd::watch_index(found.roots, arguments.options, describe, *store, printer,
+                      {.rescan = arguments.rescan, .is_ended = mdbd::is_interruption_wanted});
+    return ExitCode::done;
+  }
   const auto summary = mdbd::run_index(found, arguments.options, describe, *store, observer);
   console.finish();
   return report(summary, arguments);

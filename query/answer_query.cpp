@@ -109,6 +109,13 @@ ExactSearch make_search(const ShapeStore& store, const QueryOptions& options, st
                      SearchMethod::automatic, std::move(sketches));
 }
 
+ShapeData to_data(ShapeDescription description) {
+  return {.balls = std::move(description.decomposition.balls),
+          .signature = std::move(description.descriptor.values),
+          .fused = std::move(description.fused),
+          .thumbnail = std::move(description.thumbnail)};
+}
+
 }  // namespace
 
 /// What a shape is searched by.
@@ -116,6 +123,7 @@ struct ShapeSearch::Query {
   std::vector<float> vector;     ///< of the signature
   std::vector<float> chirality;  ///< empty unless it is asked for
   double scale = 0.0;            ///< R
+  ShapeData data;                ///< empty unless it is asked for
 };
 
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
@@ -124,7 +132,12 @@ ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::siz
       search_(make_search(store, options_, queries, completed_)) {}
 
 QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
-  QueryAnswer answer{.query = std::move(name), .result = {}, .completed = completed_};
+  QueryAnswer answer{.query = std::move(name),
+                     .result = {},
+                     .completed = completed_,
+                     .radius_count = static_cast<std::size_t>(store_.recipe().descriptor_balls),
+                     .query_scale = query.scale,
+                     .query_data = std::move(query.data)};
   SearchOptions search{.count = options_.count,
                        .threshold = options_.threshold,
                        .differences = options_.differences};
@@ -134,6 +147,11 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   }
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
   answer.result = search_.search(query.vector, search);
+  if (options_.has_data) {
+    for (const Match& match : answer.result.matches) {
+      answer.match_data.push_back(store_.data(match.id));
+    }
+  }
   if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
     const std::span<const float> vector = search_.collection().values(match.row);
@@ -145,13 +163,15 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
 QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
                                  const DescribeQuery& describe) const {
   ShapeDescription description = describe_query(file, store_.recipe(), describe);
-  Query query{.vector = options_.signature == SignatureKind::mdbd_100
-                            ? std::move(description.descriptor.values)
-                            : std::move(description.fused),
-              .chirality = {},
-              .scale = scale_in_unit(description.decomposition.scale, description.statistics,
-                                     options_.unit)};
+  Query query{
+      .vector = options_.signature == SignatureKind::mdbd_100 ? description.descriptor.values
+                                                              : description.fused,
+      .chirality = {},
+      .scale =
+          scale_in_unit(description.decomposition.scale, description.statistics, options_.unit),
+      .data = {}};
   if (options_.has_chirality) query.chirality = compute_chirality(description.decomposition.balls);
+  if (options_.has_data) query.data = to_data(std::move(description));
   return answer(file.string(), std::move(query));
 }
 
@@ -166,8 +186,10 @@ QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
   }
   Query query{.vector = stored_vector(store_, id, options_.signature),
               .chirality = {},
-              .scale = scale_in_unit(record->scale, record->statistics, options_.unit)};
+              .scale = scale_in_unit(record->scale, record->statistics, options_.unit),
+              .data = {}};
   if (options_.has_chirality) query.chirality = stored_chirality(store_, id);
+  if (options_.has_data) query.data = store_.data(id);
   return answer(record->path, std::move(query));
 }
 

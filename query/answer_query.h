@@ -36,6 +36,7 @@ struct QueryOptions {
   /// The database of the store, beside which vectors are cached (vector_cache.h). Empty: nowhere.
   std::filesystem::path cached_database = {};
   std::size_t least_cached_models = mdbd::least_cached_models;
+  bool has_data = false;  ///< the answer has what is stored of the query and of each match
 };
 
 /// A query by the path it is known by, with its answer.
@@ -44,6 +45,10 @@ struct QueryAnswer {
   SearchResult result;
   /// Models whose vector was computed from their balls: the database is older than the signature.
   std::size_t completed = 0;
+  std::size_t radius_count = 0;            ///< k, how many numbers of mdbd-100 are radii
+  double query_scale = 0.0;                ///< R in object units
+  ShapeData query_data = {};               ///< if it was asked for
+  std::vector<ShapeData> match_data = {};  ///< of each match, if it was asked for
 };
 
 /// Describes a file by a recipe; throws as describe_file() does.

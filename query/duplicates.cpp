@@ -74,12 +74,17 @@ class Collection {
            radii_distance(left, right) <= radii_share * threshold;
   }
 
-  /// The rows that are duplicates of a row.
-  std::vector<std::size_t> duplicates_of(std::size_t row, double threshold) const {
+  /// The rows within a distance of a row by mdbd-fused, itself among them, nearest first.
+  std::vector<Match> within(std::size_t row, double threshold) const {
     const SearchOptions options{.count = std::numeric_limits<std::size_t>::max(),
                                 .threshold = threshold};
+    return search_->search(vectors().values(row), options).matches;
+  }
+
+  /// The rows that are duplicates of a row.
+  std::vector<std::size_t> duplicates_of(std::size_t row, double threshold) const {
     std::vector<std::size_t> rows;
-    for (const Match& match : search_->search(vectors().values(row), options).matches) {
+    for (const Match& match : within(row, threshold)) {
       if (radii_distance(row, match.row) <= radii_share * threshold) rows.push_back(match.row);
     }
     return rows;
@@ -100,8 +105,46 @@ struct Member {
   std::vector<float> chirality;
 };
 
+/// The row whose group a row joins although neither is a duplicate of the other: the nearest, if
+/// those of other groups are much further.
+std::optional<std::size_t> clear_neighbour(const Collection& collection,
+                                           const std::vector<std::size_t>& groups, std::size_t row,
+                                           double threshold) {
+  const double limit = cloud_allowance * threshold;
+  std::optional<Match> nearest;
+  for (const Match& match : collection.within(row, limit / cloud_lead)) {
+    if (match.row == row) continue;
+    if (!nearest) {
+      nearest = match;
+    } else if (groups[match.row] != groups[nearest->row]) {
+      if (nearest->distance > cloud_lead * match.distance) return std::nullopt;
+      break;
+    }
+  }
+  const bool is_near = nearest && nearest->distance <= limit &&
+                       collection.radii_distance(row, nearest->row) <= cloud_radii_share * limit;
+  return is_near ? std::optional(nearest->row) : std::nullopt;
+}
+
+/// Joins clouds that are alone; what each joins does not depend on their order.
+void join_clouds(const ShapeStore& store, const Collection& collection, double threshold,
+                 Partition& partition) {
+  const std::size_t size = collection.vectors().size();
+  std::vector<std::size_t> groups(size);
+  std::vector<std::size_t> members(size, 0);
+  for (std::size_t row = 0; row < size; ++row) ++members[groups[row] = partition.root(row)];
+  for (std::size_t row = 0; row < size; ++row) {
+    if (members[groups[row]] > 1) continue;
+    const std::optional<ShapeRecord> record = store.find(collection.vectors()[row].shape_id);
+    if (!record || record->representation != "point cloud") continue;
+    const auto neighbour = clear_neighbour(collection, groups, row, threshold);
+    if (neighbour) partition.join(row, *neighbour);
+  }
+}
+
 /// The rows of the collection in groups of two and more.
-std::vector<std::vector<std::size_t>> group_rows(const Collection& collection, double threshold) {
+std::vector<std::vector<std::size_t>> group_rows(const ShapeStore& store,
+                                                 const Collection& collection, double threshold) {
   const std::size_t size = collection.vectors().size();
   Partition partition(size);
   for (std::size_t row = 0; row < size; ++row) {
@@ -109,6 +152,7 @@ std::vector<std::vector<std::size_t>> group_rows(const Collection& collection, d
       partition.join(row, other);
     }
   }
+  join_clouds(store, collection, threshold, partition);
   std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < size; ++row) groups[partition.root(row)].push_back(row);
   std::vector<std::vector<std::size_t>> result;
@@ -175,7 +219,7 @@ DuplicateReport find_duplicates(const ShapeStore& store, const DuplicateOptions&
   DuplicateReport report;
   const Collection collection(store, options.filter, report.completed);
   report.compared = collection.vectors().size();
-  for (const std::vector<std::size_t>& rows : group_rows(collection, options.threshold)) {
+  for (const std::vector<std::size_t>& rows : group_rows(store, collection, options.threshold)) {
     std::vector<Member> members = read_members(store, collection, rows);
     if (members.size() < 2) continue;
     report.groups.push_back(describe_group(collection, std::move(members), options.threshold));

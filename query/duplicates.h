@@ -14,6 +14,13 @@ namespace mdbd {
 inline constexpr double duplicate_distance = 0.06;
 inline constexpr double radii_share = 1.0 / 6.0;
 
+/// The balls of a point cloud are known to its spacing only. A cloud that has no duplicate joins
+/// the nearest group within so many times the threshold, and within a share of that for the radii,
+/// if every other group is far enough: the nearest is at most this part of the next distance.
+inline constexpr double cloud_allowance = 2.0;
+inline constexpr double cloud_radii_share = 0.3;
+inline constexpr double cloud_lead = 0.5;
+
 /// What is asked for.
 struct DuplicateOptions {
   double threshold = duplicate_distance;  ///< by mdbd-fused; radii_share of it for the radii
@@ -49,7 +56,8 @@ struct DuplicateReport {
 /// Finds the models of a collection that are the same shape, whatever their pose, hand, scale and
 /// format: pairs within a distance by mdbd-fused, which sees where the balls are, and by the radii
 /// of mdbd-100, which part the sizes of a series; found exactly. Models that such pairs join, also
-/// through others, make a group. Every model is in one group at most.
+/// through others, make a group. A point cloud that is in none joins one by cloud_allowance. Every
+/// model is in one group at most.
 /// @throws StoreError if the collection cannot be read
 DuplicateReport find_duplicates(const ShapeStore& store, const DuplicateOptions& options = {});
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "cli/program.h"
+#include "features/shape_io/output_file.h"
 #include "query/duplicates_output.h"
 #include "query/query_arguments.h"
 #include "query/query_output.h"
+#include "query/query_page.h"
 #include "query/run_queries.h"
 
 namespace {
@@ -55,6 +57,12 @@ ExitCode find_matches(const mdbd::ShapeStore& store, const mdbd::QueryArguments&
   const mdbd::QueryRun run = mdbd::run_queries(store, arguments);
   fmt::print("{}", mdbd::format_answers(run, arguments, std::filesystem::current_path()));
   std::fflush(stdout);  // so that the note follows the answer where both go to one place
+  if (!arguments.html.empty()) {
+    mdbd::write_file(
+        arguments.html,
+        mdbd::format_query_page(run.answers, {.signature = to_string(arguments.options.signature),
+                                              .is_explained = arguments.is_explained}));
+  }
   for (const std::string& failure : run.failures) mdbd::print_warning(program, failure);
   if (!arguments.is_json && !run.answers.empty()) {
     const mdbd::QueryOptions& options = arguments.options;

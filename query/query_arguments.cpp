@@ -20,6 +20,8 @@ constexpr const char* examples = R"(Examples:
   mdbd-query bolt.stl --same-size --glob '*.stl'
                                             the ten nearest among STL files of about this size
   mdbd-query new/ --threshold 0.05 --csv    for every model of a folder, all that are near
+  mdbd-query chair.ply --explain --html chair.html
+                                            a page with pictures, and balls to turn around
   mdbd-query --duplicates                   groups of the same shape, however exported
 
 The answer is exact: no model of the database that passes the filters and is not listed is nearer.
@@ -52,7 +54,7 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
-                            "--same-size", "--unit"}) {
+                            "--html", "--same-size", "--unit"}) {
     duplicates->excludes(app.get_option(other));
   }
 }
@@ -93,7 +95,12 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
                "Only models whose R is within 1 % of that of the query");
   auto* explain = app.add_flag("--explain", arguments.is_explained,
                                "Show how much of each distance each part of the signature makes, "
-                               "and which of its numbers differ the most");
+                               "which of its numbers and which balls differ the most, and both "
+                               "lists of radii and walk sums");
+  app.add_option("--html", arguments.html,
+                 "Also write a page with a picture of every model, and the balls of those clicked; "
+                 "it needs no network")
+      ->type_name("FILE");
   declare_duplicates(app, arguments);
   auto* json = app.add_flag("--json", arguments.is_json,
                             "Print a JSON object, or an array of them for several queries");
@@ -116,6 +123,7 @@ void finish(const CLI::App& app, QueryArguments& arguments) {
   }
   if (!arguments.has_no_cache) options.cached_database = arguments.database;
   if (arguments.is_explained) options.differences = explained_differences;
+  options.has_data = arguments.is_explained || !arguments.html.empty();
 }
 
 }  // namespace mdbd

@@ -25,6 +25,7 @@ struct QueryArguments {
   DuplicateOptions duplicates;
   bool has_no_cache = false;
   bool is_explained = false;
+  std::filesystem::path html;  ///< the page to write; empty: none
   bool is_json = false;
   bool is_csv = false;
 };

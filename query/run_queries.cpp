@@ -19,9 +19,10 @@ bool is_batch(const QueryArguments& arguments) {
 }
 
 QueryAnswer answer_file(const ShapeSearch& search, const std::filesystem::path& file,
-                        const ProcessLimits& limits) {
+                        const QueryArguments& arguments) {
+  const bool has_thumbnail = !arguments.html.empty();
   return search.by_file(file, [&](const std::filesystem::path& path, const Recipe& recipe) {
-    return describe_isolated(path, recipe, limits);
+    return describe_isolated(path, recipe, arguments.limits, has_thumbnail);
   });
 }
 
@@ -37,7 +38,7 @@ QueryRun run_batch(const ShapeStore& store, const QueryArguments& arguments) {
   const ShapeSearch search(store, arguments.options, found.files.size());
   for (const FoundFile& file : found.files) {
     try {
-      run.answers.push_back(answer_file(search, file.path, arguments.limits));
+      run.answers.push_back(answer_file(search, file.path, arguments));
     } catch (const InvalidInput& error) {
       run.failures.emplace_back(error.what());
     } catch (const IoError& error) {
@@ -55,7 +56,8 @@ std::string format_tables(const QueryRun& run, const QueryArguments& arguments,
       if (!text.empty()) text += '\n';
       text += shown_path(answer.query, directory) + '\n';
     }
-    text += format_table(answer.result, directory, arguments.is_explained);
+    text += arguments.is_explained ? format_explained_table(answer, directory)
+                                   : format_table(answer.result, directory);
   }
   return text;
 }
@@ -68,14 +70,16 @@ QueryRun run_queries(const ShapeStore& store, const QueryArguments& arguments) {
   QueryRun run;
   run.answers.push_back(arguments.models.empty()
                             ? search.by_id(arguments.id)
-                            : answer_file(search, arguments.models.front(), arguments.limits));
+                            : answer_file(search, arguments.models.front(), arguments));
   return run;
 }
 
 std::string format_answers(const QueryRun& run, const QueryArguments& arguments,
                            const std::filesystem::path& directory) {
   if (arguments.is_json) {
-    return run.is_batch ? format_json(run.answers) : format_json(run.answers.front());
+    const bool is_explained = arguments.is_explained;
+    return run.is_batch ? format_json(run.answers, is_explained)
+                        : format_json(run.answers.front(), is_explained);
   }
   if (arguments.is_csv) {
     return run.is_batch ? format_csv(run.answers) : format_csv(run.answers.front().result);

@@ -49,6 +49,7 @@ struct ShapeData {
   std::vector<Ball> balls;       ///< in order of placement; object units
   std::vector<float> signature;  ///< the vector of signature mdbd-100
   std::vector<float> fused;      ///< the vector of signature mdbd-fused; empty if it is not there
+  std::string thumbnail = {};    ///< a picture as a PNG file; empty if it is not there
 };
 
 }  // namespace mdbd

@@ -63,6 +63,11 @@ CREATE TRIGGER shape_updated AFTER UPDATE OF path, scale, status ON shapes
   BEGIN UPDATE revision SET stamp = randomblob(16); END;
 CREATE TRIGGER shape_deleted AFTER DELETE ON shapes
   BEGIN UPDATE revision SET stamp = randomblob(16); END;
+
+CREATE TABLE thumbnails (
+  shape_id INTEGER PRIMARY KEY REFERENCES shapes (id) ON DELETE CASCADE,
+  png BLOB NOT NULL
+) STRICT;
 )"};
 constexpr std::int64_t known_schema = migrations.size();
 constexpr std::int64_t first_schema_with_revision = 2;

@@ -82,6 +82,7 @@ std::int64_t SqliteShapeStore::put(const ShapeRecord& record, const ShapeData& d
   const std::int64_t id = put_record(record);
   Statement(database_, "DELETE FROM vectors WHERE shape_id = ?").bind(id).run();
   Statement(database_, "DELETE FROM balls WHERE shape_id = ?").bind(id).run();
+  Statement(database_, "DELETE FROM thumbnails WHERE shape_id = ?").bind(id).run();
   if (record.status == ShapeStatus::indexed) put_data(id, data);
   transaction.commit();
   require_in_place();
@@ -154,7 +155,18 @@ ShapeData SqliteShapeStore::data(std::int64_t id) const {
   if (row.text(1) != to_string(ShapeStatus::indexed)) return {};
   const std::string path = row.text(0);
   return {read_balls(row.bytes(3), path), read_signature(row.bytes(2), path),
-          read_vector(row.bytes(4), path)};
+          read_vector(row.bytes(4), path), thumbnail(id)};
+}
+
+// A database of schema 1 has no pictures.
+std::string SqliteShapeStore::thumbnail(std::int64_t id) const {
+  Statement table(database_, "SELECT 1 FROM sqlite_schema WHERE name = 'thumbnails'");
+  if (!table.step()) return {};
+  Statement row(database_, "SELECT png FROM thumbnails WHERE shape_id = ?");
+  row.bind(id);
+  if (!row.step()) return {};
+  const std::span<const std::byte> png = row.bytes(0);
+  return {reinterpret_cast<const char*>(png.data()), png.size()};
 }
 
 std::vector<std::int64_t> SqliteShapeStore::shapes_without(std::string_view signature) const {
@@ -300,6 +312,10 @@ void SqliteShapeStore::put_data(std::int64_t id, const ShapeData& data) {
   const Blob balls = encode_balls(data.balls);
   Statement(database_, "INSERT INTO balls (shape_id, \"values\") VALUES (?, ?)")
       .bind(id, std::span<const std::byte>(balls))
+      .run();
+  if (data.thumbnail.empty()) return;
+  Statement(database_, "INSERT INTO thumbnails (shape_id, png) VALUES (?, ?)")
+      .bind(id, std::as_bytes(std::span(data.thumbnail)))
       .run();
 }
 

@@ -40,6 +40,7 @@ class SqliteShapeStore : public ShapeStore {
   void check_can_be_stored(const ShapeRecord& record, const ShapeData& data) const;
   std::int64_t put_record(const ShapeRecord& record);
   void put_data(std::int64_t id, const ShapeData& data);
+  std::string thumbnail(std::int64_t id) const;
   void insert_vector(std::int64_t id, std::string_view signature, std::span<const float> values);
   void require_changed(std::int64_t id) const;
   void require_in_place() const;

@@ -85,7 +85,7 @@ void add_common_options(CLI::App& app, PerturbArguments& arguments) {
   app.add_option("--jobs", options.jobs, "Models changed at once")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N")
-      ->capture_default_str()
+      ->default_str("processors")
       ->group(common_options);
   add_duration_option(app, "--model-time", options.limits.time, "Time budget of a model")
       ->group(common_options);

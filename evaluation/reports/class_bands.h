@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "evaluation/labelled_collection.h"
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd {
 

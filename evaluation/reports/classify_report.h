@@ -1,8 +1,8 @@
 #pragma once
 
 #include "evaluation/evaluation_input.h"
-#include "evaluation/report/report.h"
 #include "evaluation/reports/classify_methods.h"
+#include "report/report.h"
 
 namespace mdbd {
 

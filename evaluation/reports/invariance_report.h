@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "evaluation/evaluation_input.h"
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd {
 

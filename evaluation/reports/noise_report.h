@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluation/evaluation_input.h"
-#include "evaluation/report/report.h"
+#include "report/report.h"
 
 namespace mdbd {
 

@@ -8,8 +8,8 @@
 
 #include "evaluation/evaluation_input.h"
 #include "evaluation/measures/robustness.h"
-#include "evaluation/report/report.h"
 #include "perturbation/perturbation.h"
+#include "report/report.h"
 
 /// What the reports on changed copies of models have in common.
 namespace mdbd {

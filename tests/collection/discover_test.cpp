@@ -140,3 +140,28 @@ TEST_CASE("within means at or below") {
   CHECK_FALSE(is_within("/a", roots));
   CHECK(is_within("/a", std::vector<std::string>{"/"}));
 }
+
+TEST_CASE("of changed paths what is gone, or no model, is a root and nothing else") {
+  const test::TemporaryDirectory folder;
+  const std::string model = folder.write("a.off", "");
+  const std::string text = folder.write("notes.md", "");
+  fs::create_directory(folder / "sub");
+  const std::string below = folder.write("sub/b.off", "");
+  const std::string gone = folder / "gone.off";
+  const std::vector<fs::path> paths = {model, text, gone, folder / "sub"};
+  const Discovery found = discover_changed(paths);
+  CHECK(found.roots.size() == 4);
+  CHECK(found.unusable.empty());
+  REQUIRE(found.files.size() == 2);
+  CHECK(found.files[0].path == model);
+  CHECK(found.files[1].path == below);
+}
+
+TEST_CASE("paths that do not exist can be passed over, as no roots") {
+  const test::TemporaryDirectory folder;
+  const std::string model = folder.write("a.off", "");
+  const std::vector<fs::path> paths = {model, folder / "gone"};
+  const Discovery found = discover_existing(paths);
+  CHECK(found.roots == std::vector<std::string>{model});
+  CHECK(found.files.size() == 1);
+}

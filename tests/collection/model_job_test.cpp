@@ -22,6 +22,7 @@ ShapeDescription description() {
   shape.decomposition.scale = 2.0 / 3.0;
   shape.descriptor.values = {0.1f, 0.2f};
   shape.descriptor.radius_count = 1;
+  shape.thumbnail = std::string("\x89\0\xff", 3);
   return shape;
 }
 
@@ -59,6 +60,7 @@ TEST_CASE("a description arrives bit for bit") {
   REQUIRE(result.data.balls.size() == 2);
   CHECK(result.data.balls[0].center == sent.decomposition.balls[0].center);
   CHECK(result.data.balls[1].radius == 0.25);
+  CHECK(result.data.thumbnail == sent.thumbnail);
 }
 
 TEST_CASE("fewer balls come with their reason") {

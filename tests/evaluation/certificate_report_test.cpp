@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "evaluation/report/format_report.h"
+#include "report/format_report.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"

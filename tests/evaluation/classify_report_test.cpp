@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "evaluation/report/format_report.h"
 #include "features/core/errors.h"
 #include "features/descriptor/similarity_distance.h"
+#include "report/format_report.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"

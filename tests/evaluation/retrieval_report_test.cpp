@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 
 #include "evaluation/measures/vector_distance.h"
-#include "evaluation/report/format_report.h"
 #include "evaluation/reports/retrieval_methods.h"
 #include "features/core/errors.h"
+#include "report/format_report.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"

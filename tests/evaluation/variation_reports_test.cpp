@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "evaluation/report/format_report.h"
 #include "evaluation/reports/invariance_report.h"
 #include "evaluation/reports/noise_report.h"
 #include "evaluation/reports/representations_report.h"
@@ -13,6 +12,7 @@
 #include "features/core/errors.h"
 #include "features/descriptor/fused_signature.h"
 #include "perturbation/subdivision.h"
+#include "report/format_report.h"
 #include "tests/evaluation/recording_progress.h"
 #include "tests/support/mesh_writers.h"
 #include "tests/support/sample_meshes.h"

@@ -44,6 +44,9 @@ mdbd_cli_test(NAME index/prune SETUP "${copy_models}"
 mdbd_cli_test(NAME index/dry_run SETUP "${copy_models}"
   COMMAND sh -c "${index} models --dry-run && ! test -e mdbd.db"
   REGEXP "to index +2\n" "Nothing was written")
+mdbd_cli_test(NAME index/no_thumbnails
+  COMMAND sh -c "${index} '${models}' --no-thumbnails --db a.db && ${index} '${models}' --db b.db && \
+    grep -c PNG b.db && ! grep PNG a.db")
 mdbd_cli_test(NAME index/same_with_any_jobs SETUP "${copy_models}"
   COMMAND sh -c "${index} models --db a.db --jobs 1 && ${index} models --db b.db --jobs 2 && \
     ${query} --db a.db | cut -d, -f1,3- > a && ${query} --db b.db | cut -d, -f1,3- > b && \
@@ -80,6 +83,11 @@ mdbd_cli_test(NAME index/unit
   REGEXP "unit.:.inch")
 mdbd_cli_test(NAME index/unknown_unit EXIT 2
   COMMAND mdbd-index ${models} --unit parsec REGEXP "--unit: [^\n]*parsec")
+mdbd_cli_test(NAME index/watch
+  COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/watch.sh $<TARGET_FILE:mdbd-index> $<TARGET_FILE:mdbd-query> ${models}
+  REGEXP "^watching: 2 indexed")
+mdbd_cli_test(NAME index/watch_and_json COMMAND mdbd-index models --watch --json EXIT 2 REGEXP "excludes")
+mdbd_cli_test(NAME index/rescan_alone COMMAND mdbd-index models --rescan 5 EXIT 2 REGEXP "requires --watch")
 
 mdbd_cli_test(NAME index/missing_path EXIT 1
   COMMAND sh -c "${index} typo || ! test -e mdbd.db || exit 2 && exit 1"

@@ -47,6 +47,15 @@ query_test(explain_radii COMMAND mdbd-query ${models}/boxes/long.off --db ${data
   REGEXP " +radii% +walk%  model\n +1 [^\n]*\n +2 [^\n]*\n +(radius|walk sum) [0-9]+: [0-9.]+, in the query ")
 query_test(explain_json COMMAND mdbd-query --id 1 --db ${database} --signature mdbd-fused --explain --json
   REGEXP "\"differences\": .\n *{\n *\"number\": \"[a-z][^\n]*\",\n *\"query\": [0-9.]+")
+query_test(explain_lists COMMAND mdbd-query ${models}/boxes/long.off --db ${database} --signature mdbd-fused --explain
+  REGEXP "radii      query  [^ \n]" "walk sums  query " "ball [0-9]+: 0\\.[0-9]+ R at ")
+query_test(html SETUP "mkdir models && cp '${models}/boxes/cube.off' 'models/<b>&amp;.off'"
+  COMMAND sh -c "'$<TARGET_FILE:mdbd-query>' models '${models}/boxes/long.off' --db '${database}' --explain \
+    --html page.html && '${Python3_EXECUTABLE}' -B '${PROJECT_SOURCE_DIR}/tests/report/check_page.py' \
+    page.html --scripts && ! grep -F '<b>' page.html"
+  REGEXP "\n +1 [^\n]*cube\\.off\n")
+query_test(html_cannot_be_written EXIT 1
+  COMMAND mdbd-query --id 1 --db ${database} --html none/page.html REGEXP "error: [^\n]*none/page\\.html")
 query_test(chirality COMMAND mdbd-query ${models}/boxes/cube.off --db ${database} --chirality
   REGEXP "rank +distance  hand      model\n +1 +0\\.000000  none ")
 query_test(unknown_signature COMMAND mdbd-query --id 1 --signature mdbd-7 EXIT 2 REGEXP "--signature")

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 
 #include "features/describe.h"
 #include "features/shape_io/write_mesh.h"
 #include "perturbation/perturbation.h"
+#include "query/signature_metric.h"
 #include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_directory.h"
 
@@ -112,6 +114,67 @@ TEST_CASE("copies of a shape are one group with their evidence, near misses are 
     CHECK(pair.distance <= duplicate_distance);
     CHECK(pair.radii_distance <= radii_share * duplicate_distance);
   }
+}
+
+namespace {
+
+/// A collection of which only the distances matter: mdbd-fused has `place` as its first number, the
+/// radii of mdbd-100 have `radius`.
+class Line {
+ public:
+  void add(const std::string& name, float place, float radius, const char* representation) {
+    ShapeRecord record;
+    record.path = "/" + name;
+    record.representation = representation;
+    record.scale = 1.0;
+    ShapeData data{.balls = {{{0, 0, 0}, 1.0}},
+                   .signature = std::vector<float>(100, 0.0F),
+                   .fused = std::vector<float>(fused_metric()->least_size(), 0.0F)};
+    data.signature[0] = radius;
+    data.fused[0] = place;
+    store_->put(record, data);
+  }
+  void add_mesh(const std::string& name, float place) { add(name, place, 0.5F, "mesh"); }
+
+  /// The paths of the groups.
+  std::vector<std::vector<std::string>> groups() const {
+    std::vector<std::vector<std::string>> result;
+    for (const DuplicateGroup& group : find_duplicates(*store_).groups) {
+      auto& paths = result.emplace_back();
+      for (const ShapeRecord& model : group.models) paths.push_back(model.path);
+      std::ranges::sort(paths);
+    }
+    return result;
+  }
+
+ private:
+  TemporaryDirectory directory_;
+  std::unique_ptr<ShapeStore> store_ = open_store(directory_ / "a.db");
+};
+
+using Groups = std::vector<std::vector<std::string>>;
+
+}  // namespace
+
+TEST_CASE("a cloud joins a group that is far nearer than any other") {
+  Line line;
+  line.add_mesh("a1", 0.0F);
+  line.add_mesh("a2", 0.05F);
+  line.add_mesh("b", 0.36F);
+  line.add("cloud", 0.16F, 0.53F, "point cloud");  // 0.11 from a2, 0.2 from b
+  CHECK(line.groups() == Groups{{"/a1", "/a2"}});
+  line.add_mesh("a3", 0.08F);  // 0.08 and 0.2: clear
+  CHECK(line.groups() == Groups{{"/a1", "/a2", "/a3", "/cloud"}});
+}
+
+TEST_CASE("a mesh, or a cloud that is too far or has other radii, joins none") {
+  Line line;
+  line.add_mesh("a", 0.0F);
+  const auto [place, radius, representation] =
+      GENERATE(std::tuple(0.11F, 0.5F, "mesh"), std::tuple(0.13F, 0.5F, "point cloud"),
+               std::tuple(0.11F, 0.54F, "point cloud"));
+  line.add("other", place, radius, representation);
+  CHECK(line.groups().empty());
 }
 
 TEST_CASE("different shapes make different groups, and single ones none") {

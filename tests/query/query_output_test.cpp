@@ -7,6 +7,7 @@
 
 using Catch::Matchers::Contains;
 using mdbd::format_csv;
+using mdbd::format_explained_table;
 using mdbd::format_json;
 using mdbd::format_table;
 using mdbd::SearchResult;
@@ -22,6 +23,19 @@ SearchResult example() {
   return result;
 }
 
+/// The example as the answer to a query by something else, with lists of two radii and one sum.
+mdbd::QueryAnswer explained_example() {
+  mdbd::QueryAnswer answer{.query = "q.off", .result = example()};
+  answer.radius_count = 2;
+  answer.query_scale = 4.0;
+  answer.query_data = {.balls = {{{1, 2, 3}, 2.0}}, .signature = {0.5F, 0.0F, 1.0F}, .fused = {}};
+  answer.match_data = {{.balls = {{{4, 5, 6}, 1.25}, {{7, 8, 9}, 0.625}},
+                        .signature = {0.5F, 0.25F, 0.5F},
+                        .fused = {}},
+                       answer.query_data};
+  return answer;
+}
+
 }  // namespace
 
 TEST_CASE("the table shows paths below the folder relative to it") {
@@ -33,9 +47,29 @@ TEST_CASE("the table shows paths below the folder relative to it") {
 }
 
 TEST_CASE("an explained table shows what each part makes of the distance") {
-  const std::string table = format_table(example(), "/models", true);
+  const std::string table = format_explained_table(explained_example(), "/models");
   CHECK_THAT(table, Contains("rank   distance       radii%        walk%  model\n"));
   CHECK_THAT(table, Contains("   1   0.300000           33           67  chair/a.off\n"));
+}
+
+TEST_CASE("an explained match has both lists as pictures, and the balls that differ") {
+  const std::string table = format_explained_table(explained_example(), "/models");
+  CHECK_THAT(table, Contains("radii      query  \u2588 \n") &&
+                        Contains("           match  \u2588\u2584\n") &&
+                        Contains("walk sums  query  \u2588\n") &&
+                        Contains("           match  \u2584\n") &&
+                        Contains("ball 2: 0.2500 R at (7, 8, 9), in the query none\n"));
+  CHECK_THAT(table, !Contains("ball 1:"));
+  CHECK_THAT(table, Catch::EndsWith("big\".obj\n"));  // nothing differs there
+  const auto document = nlohmann::json::parse(format_json(explained_example(), true));
+  CHECK(document["radii"] == nlohmann::json{0.5, 0.0});
+  CHECK(document["walk_sums"] == nlohmann::json{1.0});
+  CHECK(document["matches"][0]["radii"] == nlohmann::json{0.5, 0.25});
+  CHECK(document["matches"][0]["balls"] ==
+        nlohmann::json{{{"ball", 2},
+                        {"query", {{"radius", 0.0}}},
+                        {"match", {{"radius", 0.25}, {"center", {7.0, 8.0, 9.0}}}}}});
+  CHECK(document["matches"][1]["balls"].empty());
 }
 
 TEST_CASE("hands and the numbers that differ the most are shown in each form of output") {
@@ -43,10 +77,12 @@ TEST_CASE("hands and the numbers that differ the most are shown in each form of 
   result.matches[0].hand = mdbd::Hand::same;
   result.matches[1].hand = mdbd::Hand::mirrored;
   result.matches[1].differences = {{"radius 3", 0.5F, 0.75F}};
-  const std::string table = format_table(result, "/models", true);
+  mdbd::QueryAnswer answer = explained_example();
+  answer.result = result;
+  const std::string table = format_explained_table(answer, "/models");
   CHECK_THAT(table, Contains("%  hand      model\n") && Contains("  same      chair/a.off\n") &&
                         Contains("  mirrored  /other/table, \"big\".obj\n") &&
-                        Contains("radius 3: 0.7500, in the query 0.5000\n"));
+                        Contains("radius 3: 0.7500, in the query 0.5000 (+0.2500)\n"));
   CHECK_THAT(format_table(result, "/models"), !Contains("radius 3"));
   const auto document = nlohmann::json::parse(format_json({"q", result}));
   CHECK(document["matches"][0]["hand"] == "same");

@@ -136,5 +136,5 @@ TEST_CASE("damaged pages and rows without a model are found") {
   CHECK(find_damage(folder / "a.db").empty());
   const Database database(folder / "a.db", Access::read_write);
   database.execute("PRAGMA foreign_keys = OFF; DELETE FROM shapes");
-  CHECK(find_damage(folder / "a.db").size() == 3);  // two vectors and the balls
+  CHECK(find_damage(folder / "a.db").size() == 4);  // two vectors, the balls, the picture
 }

@@ -37,6 +37,7 @@ inline ShapeData make_data(int seed, int ball_count = 20) {
   ShapeData data;
   for (int i = 0; i < 100; ++i) data.signature.push_back(static_cast<float>(seed + i / 7.0));
   for (int i = 0; i < 30; ++i) data.fused.push_back(static_cast<float>(seed - i / 3.0));
+  data.thumbnail = std::string("\x89PNG\0\xff", 6) + static_cast<char>(seed);
   for (int i = 0; i < ball_count; ++i) {
     data.balls.push_back({{seed + 1.0 / 3.0, i / 7.0, -1e-300 * i}, 1.0 / (seed + i + 1)});
   }
@@ -45,7 +46,7 @@ inline ShapeData make_data(int seed, int ball_count = 20) {
 
 inline bool is_same(const ShapeData& left, const ShapeData& right) {
   if (left.signature != right.signature || left.fused != right.fused ||
-      left.balls.size() != right.balls.size()) {
+      left.thumbnail != right.thumbnail || left.balls.size() != right.balls.size()) {
     return false;
   }
   for (std::size_t i = 0; i < left.balls.size(); ++i) {

@@ -156,7 +156,7 @@ TEST_CASE("the tables and triggers of schema 2 are these") {
   REQUIRE(row.step());
   CHECK(row.text(0) ==
         "balls recipe revision shape_deleted shape_updated shapes shapes_by_content"
-        " vector_deleted vector_inserted vector_updated vectors");
+        " thumbnails vector_deleted vector_inserted vector_updated vectors");
 }
 
 TEST_CASE("a database in a read-only folder can be read, not written") {
