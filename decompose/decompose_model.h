@@ -13,7 +13,7 @@ namespace mdbd {
 /// The decomposition of a file with its evidence.
 struct DecomposedModel {
   std::string path;
-  std::string representation;  ///< "mesh" or "point cloud"
+  std::string representation;  ///< "mesh", "point cloud", "voxel grid", …
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   Recipe recipe;
   double minimum_radius;  ///< of a ball, relative to R: see minimum_radius() of a shape
