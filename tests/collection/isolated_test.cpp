@@ -92,11 +92,8 @@ TEST_CASE("a description from another process is the same to the bit") {
   CHECK(there.descriptor.radius_count == here.descriptor.radius_count);
   CHECK(there.fused == here.fused);
   CHECK(there.decomposition.scale == here.decomposition.scale);
-  CHECK(there.decomposition.upper_bounds == here.decomposition.upper_bounds);
   CHECK(there.decomposition.is_certified == here.decomposition.is_certified);
   CHECK(there.decomposition.termination == here.decomposition.termination);
-  CHECK(there.decomposition.cost.distance_queries == here.decomposition.cost.distance_queries);
-  CHECK(there.decomposition.cost.cells == here.decomposition.cost.cells);
   REQUIRE(there.decomposition.balls.size() == here.decomposition.balls.size());
   for (std::size_t i = 0; i < here.decomposition.balls.size(); ++i) {
     CHECK(there.decomposition.balls[i].center == here.decomposition.balls[i].center);
