@@ -14,7 +14,7 @@ namespace mdbd {
 /// The decomposition of a file with its evidence.
 struct DecomposedModel {
   std::string path;
-  std::string representation;  ///< "mesh", "point cloud" or "planar domain"
+  std::string representation;  ///< "mesh", "point cloud", "voxel grid", …
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   PlanarDomain outlines;       ///< of a domain in the plane; else empty
   Recipe recipe;

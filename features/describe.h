@@ -14,7 +14,7 @@ namespace mdbd {
 /// Everything that is computed from one shape file.
 struct ShapeDescription {
   std::string format;          ///< of the file: "off", "pcd", …
-  std::string representation;  ///< "mesh" or "point cloud"
+  std::string representation;  ///< "mesh", "point cloud", "voxel grid", …
   std::string statistics;      ///< a JSON object: what was read and what was done to it
   BallDecomposition decomposition;
   Descriptor descriptor;

@@ -9,6 +9,9 @@
 namespace mdbd {
 namespace {
 
+// Smaller balls are in the facets of the surface, not in the solid.
+constexpr double least_radius_in_steps = 0.5;
+
 /// The record of a grid, with that of the mesh it became.
 std::string describe_grid(const VoxelGrid& grid, const IsoSurface& surface,
                           const std::string& mesh_record) {
@@ -35,6 +38,7 @@ Shape make_voxel_shape(const VoxelGrid& grid, const Recipe& recipe) {
   const IsoSurface surface = find_iso_surface(grid);
   Shape shape = make_mesh_shape(surface.mesh, recipe);
   shape.representation = "voxel grid";
+  shape.least_radius = least_radius_in_steps * grid.steps.colwise().norm().minCoeff();
   shape.statistics = describe_grid(grid, surface, shape.statistics);
   return shape;
 }

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+
+#include "features/core/disjoint_sets.h"
 
 namespace mdbd {
 namespace {
@@ -56,33 +57,8 @@ bool count_edges(const TriangleMesh& mesh, MeshStatistics& statistics) {
   return neighbours_agree;
 }
 
-/// Sets of vertices that faces join.
-class VertexSets {
- public:
-  explicit VertexSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  std::uint32_t find(std::uint32_t vertex) {
-    while (parent_[vertex] != vertex) {
-      parent_[vertex] = parent_[parent_[vertex]];
-      vertex = parent_[vertex];
-    }
-    return vertex;
-  }
-
-  void join(std::uint32_t left, std::uint32_t right) {
-    left = find(left);
-    right = find(right);
-    parent_[std::max(left, right)] = std::min(left, right);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 void count_components(const TriangleMesh& mesh, MeshStatistics& statistics) {
-  VertexSets sets(mesh.vertices.size());
+  DisjointSets sets(mesh.vertices.size());  // of vertices that faces join
   std::vector<char> is_used(mesh.vertices.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) {
@@ -93,7 +69,7 @@ void count_components(const TriangleMesh& mesh, MeshStatistics& statistics) {
   for (std::uint32_t i = 0; i < is_used.size(); ++i) {
     if (is_used[i] == 0) continue;
     ++statistics.vertices;
-    if (sets.find(i) == i) ++statistics.components;
+    if (sets.root(i) == i) ++statistics.components;
   }
 }
 

@@ -46,7 +46,7 @@ class Lines {
   std::string_view next() {
     const std::size_t end = std::min(text_.find('\n', position_), text_.size());
     const std::string_view line = text_.substr(position_, end - position_);
-    position_ = end + 1;
+    position_ = std::min(end + 1, text_.size());
     return trimmed(line);
   }
 

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <set>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "features/core/disjoint_sets.h"
 #include "features/solidify/face_neighbours.h"
 
 namespace mdbd {
@@ -37,9 +37,8 @@ std::vector<Triangle> distinct_faces(const std::vector<Triangle>& triangles) {
 class Fans {
  public:
   Fans(const TriangleMesh& mesh, const FaceNeighbours& neighbours)
-      : parent_(neighbours.half_edge_count()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      : corners_(neighbours.half_edge_count()), number_(neighbours.half_edge_count()) {
+    for (std::uint32_t i = 0; i < number_.size(); ++i) {
       const std::uint32_t other = neighbours.across(i);
       if (other == FaceNeighbours::none || other < i) continue;
       join(i, end_of(other));
@@ -57,24 +56,15 @@ class Fans {
   }
 
  private:
-  std::uint32_t find(std::uint32_t corner) {
-    while (parent_[corner] != corner) {
-      parent_[corner] = parent_[parent_[corner]];
-      corner = parent_[corner];
-    }
-    return corner;
-  }
-
+  // The first corner of a fan stands for it.
   void join(std::uint32_t left, std::uint32_t right) {
-    left = find(left);
-    right = find(right);
-    parent_[std::max(left, right)] = std::min(left, right);
+    const auto [first, second] = std::minmax({corners_.root(left), corners_.root(right)});
+    corners_.join(first, second);
   }
 
   void number_fans(const TriangleMesh& mesh) {
-    number_.resize(parent_.size());
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
-      const std::uint32_t root = find(i);
+    for (std::uint32_t i = 0; i < number_.size(); ++i) {
+      const std::uint32_t root = corners_.root(i);
       if (root == i) {
         number_[i] = count();
         vertices_.push_back(mesh.triangles[i / 3][i % 3]);
@@ -84,7 +74,7 @@ class Fans {
     }
   }
 
-  std::vector<std::uint32_t> parent_;
+  DisjointSets corners_;
   std::vector<std::uint32_t> number_;    // of the fan, for each corner
   std::vector<std::uint32_t> vertices_;  // for each fan
 };

@@ -46,6 +46,13 @@ TEST_CASE("a crash, a hang and a memory bomb become exceptions with the reason")
                                        return {};
                                      }),
                     Contains("a.off: the system killed"));
+  CHECK_THROWS_WITH(compute_isolated("a.off", {},
+                                     []() -> std::string {
+                                       std::signal(SIGSEGV, SIG_DFL);  // whoever handles it
+                                       std::raise(SIGSEGV);
+                                       return {};
+                                     }),
+                    Contains("a.off: the process reading it died (signal 11"));
   CHECK_THROWS_WITH(compute_isolated("a.off", {}, []() -> std::string { _exit(7); }),
                     Contains("a.off: the process reading it ended with code 7"));
   const ProcessLimits brief{.time = std::chrono::milliseconds(100)};
@@ -59,6 +66,18 @@ TEST_CASE("a crash, a hang and a memory bomb become exceptions with the reason")
                     Contains("needs more than the memory budget"));
 }
 
+#ifndef __SANITIZE_ADDRESS__  // it reserves address space without end
+TEST_CASE("a real memory bomb becomes an exception with the reason") {
+  const ProcessLimits small{.memory = 64 << 20};
+  const auto bomb = []() -> std::string {
+    std::string bytes(1 << 20, 'x');
+    while (true) bytes += bytes;
+  };
+  CHECK_THROWS_WITH(compute_isolated("a.off", small, bomb),
+                    Contains("a.off: needs more than the memory budget of 64 MiB"));
+}
+#endif
+
 TEST_CASE("a description from another process is the same to the bit") {
   const TemporaryDirectory folder;
   Recipe recipe;
@@ -67,13 +86,19 @@ TEST_CASE("a description from another process is the same to the bit") {
   const ShapeDescription here = describe_file(path, recipe);
   const ShapeDescription there = describe_isolated(path, recipe, {});
   CHECK(there.format == here.format);
+  CHECK(there.representation == here.representation);
   CHECK(there.statistics == here.statistics);
   CHECK(there.descriptor.values == here.descriptor.values);
   CHECK(there.descriptor.radius_count == here.descriptor.radius_count);
   CHECK(there.fused == here.fused);
   CHECK(there.decomposition.scale == here.decomposition.scale);
+  CHECK(there.decomposition.is_certified == here.decomposition.is_certified);
+  CHECK(there.decomposition.termination == here.decomposition.termination);
   REQUIRE(there.decomposition.balls.size() == here.decomposition.balls.size());
-  CHECK(there.decomposition.balls.back().center == here.decomposition.balls.back().center);
+  for (std::size_t i = 0; i < here.decomposition.balls.size(); ++i) {
+    CHECK(there.decomposition.balls[i].center == here.decomposition.balls[i].center);
+    CHECK(there.decomposition.balls[i].radius == here.decomposition.balls[i].radius);
+  }
 
   CHECK_THROWS_AS(describe_isolated(folder / "none.off", recipe, {}), IoError);
   CHECK_THROWS_AS(describe_isolated(folder.write("b.off", "OFF"), recipe, {}), InvalidInput);

@@ -55,3 +55,10 @@ mdbd_cli_test(NAME decompose/denoise_unknown COMMAND mdbd-decompose ${cube} --de
 mdbd_cli_test(NAME decompose/help COMMAND mdbd-decompose --help REGEXP "Usage" "Examples" "--tolerance")
 mdbd_cli_test(NAME decompose/version COMMAND mdbd-decompose --version
   REGEXP "^mdbd-decompose ${PROJECT_VERSION}\n$")
+mdbd_cli_test(NAME decompose/formula REGEXP "\n2,0\\.5,0\\.5,0\\.5\n"
+  SETUP "printf '{\"format\": \"mdbd-csg\"|\"solid\": {\"box\": {\"min\": [0|0|0]|\"max\": [2.5|1|1]}}}' | tr '|' , > box.json"
+  COMMAND mdbd-decompose box.json --balls 2)
+mdbd_cli_test(NAME decompose/formula_with_a_mistake EXIT 1
+  SETUP "printf '{\"format\": \"mdbd-csg\"|\"solid\": {\"sphere\": {\"radius\": -1}}}' | tr '|' , > ball.json"
+  COMMAND mdbd-decompose ball.json
+  REGEXP "^mdbd-decompose: error: ball\\.json: /solid/sphere/radius: must be above 0\n$")

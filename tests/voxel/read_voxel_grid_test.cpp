@@ -164,6 +164,9 @@ TEST_CASE("What is not supported or damaged is refused with a reason") {
       Catch::Contains("no grid of STRUCTURED_POINTS but 'POLYDATA'"));
   CHECK_THAT(reason_against(".mha", changed(to_metaimage(example()), "NDims = 3", "NDims = 2")),
              Catch::Contains("not 3"));
+  CHECK_THAT(reason_against(".vtk", "# vtk DataFile Version 3.0"),
+             Catch::Contains("neither ASCII nor BINARY"));
+  CHECK_THAT(reason_against(".nrrd", "NRRD0004"), Catch::Contains("has no \"dimension\""));
   CHECK_THAT(reason_against(".vti", "<VTKFile"), Catch::Contains("VTK finds no grid"));
   for (const auto& [ending, content] : voxel_files(example())) {
     INFO(ending);

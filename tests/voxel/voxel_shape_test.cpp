@@ -70,6 +70,7 @@ TEST_CASE("The record says what a grid is") {
   CHECK(record.at("iso_value") == 0.0);
   CHECK(record.at("inside") == "above the iso value");
   CHECK(record.at("watertight") == true);
+  CHECK(shape.least_radius == Approx(1.3 / 8));
   CHECK(record.at("orientation") == "outward");
 }
 
