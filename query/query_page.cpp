@@ -60,7 +60,7 @@ class QueryPage {
   std::string format() {
     const std::string title = is_single()
                                   ? "Models like " + printable(file_name(answers_.front().query))
-                                  : fmt::format("Models like {} others", answers_.size());
+                                  : fmt::format("Matches of {} queries", answers_.size());
     std::string html = page_head(title, query_page_style());
     html += fmt::format(
         "<body>\n<main class=\"query\">\n<header>\n<p class=\"maker\">MDBD shape search</p>\n"
@@ -141,7 +141,7 @@ class QueryPage {
   }
 
   std::string explanations(const QueryAnswer& answer) const {
-    std::string html = "<h3>What makes the difference</h3>\n";
+    std::string html;
     for (std::size_t index = 0; index < answer.result.matches.size(); ++index) {
       const Match& match = answer.result.matches[index];
       if (match.distance == 0) continue;
@@ -159,7 +159,7 @@ class QueryPage {
           lists(answer, index, "Walk sums", "step", walk_sums_of), numbers(match),
           ball_table(answer, index));
     }
-    return html;
+    return html.empty() ? "" : "<h3>What makes the difference</h3>\n" + html;
   }
 
   static bool is_first_explained(const QueryAnswer& answer, std::size_t index) {

@@ -1,7 +1,7 @@
 # mdbd-evaluate from the outside, on a collection of two classes of boxes and pyramids.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 set(models ${PROJECT_SOURCE_DIR}/tests/query/models)
-set(page_check "'${Python3_EXECUTABLE}' -B '${CMAKE_CURRENT_SOURCE_DIR}/report/check_page.py'")
+set(page_check "'${Python3_EXECUTABLE}' -B '${PROJECT_SOURCE_DIR}/tests/report/check_page.py'")
 set(json_check "'${Python3_EXECUTABLE}' -m json.tool")
 set(evaluate "'$<TARGET_FILE:mdbd-evaluate>'")
 set(retrieval "${evaluate} retrieval models --balls 20 --no-rivals")
