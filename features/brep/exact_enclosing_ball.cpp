@@ -18,7 +18,7 @@ constexpr double precision = 1e-12;
 // Points closer to each other than this, relative to the radius, are one: the ball of points that
 // are almost the same is lost in rounding.
 constexpr double least_distance = 1e-3;
-constexpr int max_rounds = 20;
+constexpr int max_rounds = 100;
 constexpr int max_steps = 40;
 
 // The step of Newton's method for half the squared distance from a centre; where that has no
@@ -110,6 +110,8 @@ class Growth {
     const Trim& trim = trims_[brep_.face_of[triangle]];
     const double length = (brep_.mesh.vertices[b] - brep_.mesh.vertices[a]).norm();
     Vector2d uv = (brep_.parameters[a] + brep_.parameters[b] + brep_.parameters[c]) / 3.0;
+    const Surroundings surroundings(brep_.parameters[a], brep_.parameters[b], brep_.parameters[c],
+                                    face, trim);
     SurfacePoint s = face.surface->at(uv);
     for (int i = 0; i < max_steps; ++i) {
       const Vector3d offset = s.point - center;
@@ -117,7 +119,7 @@ class Growth {
       Vector2d next = uv + step;
       SurfacePoint at_next = s;
       for (int halvings = 0; halvings < 10; ++halvings) {
-        next = limit(uv + step, face, trim);
+        next = surroundings.limit(uv + step);
         at_next = face.surface->at(next);
         if ((at_next.point - center).squaredNorm() > offset.squaredNorm()) break;
         step *= 0.5;
@@ -131,12 +133,25 @@ class Growth {
     if (trim.contains(uv)) consider(s.point);
   }
 
-  static Vector2d limit(Vector2d uv, const BrepFace& face, const Trim& trim) {
-    for (int i = 0; i < 2; ++i) {
-      if (!(face.period[i] > 0)) uv[i] = std::clamp(uv[i], trim.lower()[i], trim.upper()[i]);
+  // The parameters of a triangle and a margin around them: from beyond other triangles climb.
+  struct Surroundings {
+    Vector2d lower;
+    Vector2d upper;
+
+    Surroundings(const Vector2d& a, const Vector2d& b, const Vector2d& c, const BrepFace& face,
+                 const Trim& trim)
+        : lower(a.cwiseMin(b).cwiseMin(c)), upper(a.cwiseMax(b).cwiseMax(c)) {
+      const Vector2d margin = 0.5 * (upper - lower);
+      lower -= margin;
+      upper += margin;
+      for (int i = 0; i < 2; ++i) {
+        if (face.period[i] > 0) continue;
+        lower[i] = std::max(lower[i], trim.lower()[i]);
+        upper[i] = std::min(upper[i], trim.upper()[i]);
+      }
     }
-    return uv;
-  }
+    Vector2d limit(const Vector2d& uv) const { return uv.cwiseMax(lower).cwiseMin(upper); }
+  };
 
   // The largest distance between two nodes by ternary search, to half the digits, which is all that
   // a maximum needs.
