@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -19,6 +20,7 @@ constexpr double precision = 1e-12;
 // are almost the same is lost in rounding.
 constexpr double least_distance = 1e-3;
 constexpr int max_rounds = 100;
+constexpr int max_idle_rounds = 5;  // that make the ball no smaller
 constexpr int max_steps = 40;
 
 // The step of Newton's method for half the squared distance from a centre; where that has no
@@ -50,16 +52,17 @@ class Growth {
         node_count_(brep.mesh.vertices.size()),
         points_(brep.mesh.vertices) {}
 
+  // Around any centre the farthest point makes a ball that encloses everything.
   Ball run() {
-    Ball ball = enclosing_ball(points_);
-    for (int round = 0; round < max_rounds; ++round) {
+    Ball best{Vector3d::Zero(), std::numeric_limits<double>::infinity()};
+    for (int round = 0, idle = 0; round < max_rounds && idle < max_idle_rounds; ++round, ++idle) {
+      const Ball ball = enclosing_ball(points_);
       const double farthest = add_outside(ball);
-      if (farthest <= ball.radius * (1 + precision)) return ball;
-      const Ball larger = enclosing_ball(points_);
-      if (larger.radius <= ball.radius) return {ball.center, farthest};
-      ball = larger;
+      if (farthest < best.radius * (1 - precision)) idle = 0;
+      if (farthest < best.radius) best = {ball.center, farthest};
+      if (farthest <= ball.radius * (1 + precision)) break;
     }
-    return {ball.center, std::max(ball.radius, add_outside(ball))};
+    return best;
   }
 
  private:
