@@ -7,6 +7,7 @@
 #include "features/brep/brep_distance_field.h"
 #include "features/brep/read_brep.h"
 #include "features/mesh_shape.h"
+#include "features/solidify/solidify_mesh.h"
 
 namespace mdbd {
 namespace {
@@ -25,11 +26,11 @@ Json describe(const BrepFile& file) {
 }
 
 // Open faces as a mesh, with what the way of meshes says of it.
-Shape make_sheet(const BrepFile& file, const Recipe& recipe) {
+Shape make_sheet(const BrepFile& file, const Recipe& recipe, const char* why) {
   Shape shape = make_mesh_shape(file.brep.mesh, recipe);
   Json record = Json::parse(shape.statistics);
   record.update(describe(file));
-  record["tessellated"] = "the faces enclose nothing: measured as a mesh";
+  record["tessellated"] = why;
   shape.format = file.format;
   shape.statistics = record.dump();
   return shape;
@@ -39,7 +40,12 @@ Shape make_sheet(const BrepFile& file, const Recipe& recipe) {
 
 Shape load_brep_shape(const std::filesystem::path& path, const Recipe& recipe) {
   BrepFile file = read_brep(path);
-  if (file.solids == 0) return make_sheet(file, recipe);
+  if (file.solids == 0) return make_sheet(file, recipe, "no solid: measured as a mesh");
+  const double share =
+      measure_enclosing_share(file.brep.mesh, file.brep.is_closed, recipe.minimum_radius);
+  if (share < least_enclosing_share) {
+    return make_sheet(file, recipe, "encloses nothing of the minimum radius: measured as a mesh");
+  }
   Json record = describe(file);
   auto field = std::make_unique<BrepDistanceField>(std::move(file.brep));
   record["inside"] = "winding number";

@@ -6,8 +6,8 @@
 
 namespace mdbd {
 
-/// The shape of a file that read_brep() reads. Faces that enclose nothing go the way of meshes, as
-/// their tessellation.
+/// The shape of a file that read_brep() reads. Faces that make no solid, and
+/// solids thinner than the least balls, go the way of meshes, as their tessellation.
 /// @throws IoError, InvalidInput as load_shape()
 Shape load_brep_shape(const std::filesystem::path& path, const Recipe& recipe);
 

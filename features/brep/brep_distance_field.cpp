@@ -76,13 +76,14 @@ BrepDistanceField::BrepDistanceField(Brep brep) : brep_(std::move(brep)) {
   if (brep_.mesh.triangles.empty()) throw InvalidInput("the shape has no faces");
   for (const BrepFace& face : brep_.faces) trims_.emplace_back(face);
   measure_deflection();
-  enclosing_ball_ = exact_enclosing_ball(brep_, trims_, deflection_);
+  enclosing_ball_ = exact_enclosing_ball(brep_, trims_, deflections_);
   if (!(enclosing_ball_.radius > 0)) throw InvalidInput("all points of the shape coincide");
   deflection_ += rounding * enclosing_ball_.radius;
   faces_ = std::make_unique<TriangleTree>(brep_.mesh);
   elements_ = std::make_unique<TriangleTree>(collect_elements());
   winding_number_ = std::make_unique<WindingNumber>(*faces_);
-  const double edges = edge_deflection_.empty() ? 0.0 : *std::ranges::max_element(edge_deflection_);
+  const double edges =
+      deflections_.edges.empty() ? 0.0 : *std::ranges::max_element(deflections_.edges);
   flat_faces_ = std::make_unique<FlatFaces>(brep_, edges + rounding * enclosing_ball_.radius);
 }
 
@@ -90,13 +91,13 @@ BrepDistanceField::BrepDistanceField(Brep brep) : brep_(std::move(brep)) {
 void BrepDistanceField::measure_deflection() {
   double of_edges = 0.0;
   for (const BrepEdge& edge : brep_.edges) {
-    edge_deflection_.push_back(deflection_margin * measure_edge(edge));
-    of_edges = std::max(of_edges, edge_deflection_.back());
+    deflections_.edges.push_back(deflection_margin * measure_edge(edge));
+    of_edges = std::max(of_edges, deflections_.edges.back());
   }
   deflection_ = of_edges;
   for (std::size_t t = 0; t < brep_.mesh.triangles.size(); ++t) {
     const BrepFace& face = brep_.faces[brep_.face_of[t]];
-    double& deflection = triangle_deflection_.emplace_back(0.0);
+    double& deflection = deflections_.triangles.emplace_back(0.0);
     if (face.is_polygon) continue;
     deflection = deflection_margin * measure_triangle(brep_, t);
     if (std::ranges::count(brep_.is_chord[t], true) > 0) deflection += of_edges;
@@ -154,11 +155,11 @@ class BrepDistanceField::Search {
     const double distance = std::sqrt(candidate.squared_distance);
     if (field_.is_segment(element)) {
       const auto& [edge, number] = field_.segments_[element - brep_.mesh.triangles.size()];
-      if (distance - field_.edge_deflection_[edge] > best_distance_) return;
+      if (distance - field_.deflections_.edges[edge] > best_distance_) return;
       consider_edge(candidate, element, edge, number);
     } else {
       const std::uint32_t face = brep_.face_of[element];
-      if (distance - field_.triangle_deflection_[element] > best_distance_) return;
+      if (distance - field_.deflections_.triangles[element] > best_distance_) return;
       consider_face(candidate, element, face);
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "features/brep/brep.h"
+#include "features/brep/exact_enclosing_ball.h"
 #include "features/brep/flat_faces.h"
 #include "features/brep/trim.h"
 #include "features/distance/closest_point.h"
@@ -62,8 +63,7 @@ class BrepDistanceField final : public DistanceField {
   Brep brep_;
   std::vector<Segment> segments_;
   std::vector<Trim> trims_;  ///< of each face
-  std::vector<double> triangle_deflection_;
-  std::vector<double> edge_deflection_;
+  Deflections deflections_;
   double deflection_ = 0.0;
   Ball enclosing_ball_;
   std::unique_ptr<const TriangleTree> faces_;     ///< the triangles, for the winding number

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -14,11 +15,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double precision = 1e-13;
+constexpr double precision = 1e-12;
 // Points closer to each other than this, relative to the radius, are one: the ball of points that
 // are almost the same is lost in rounding.
 constexpr double least_distance = 1e-3;
-constexpr int max_rounds = 60;
+constexpr int max_rounds = 100;
+constexpr int max_idle_rounds = 5;  // that make the ball no smaller
 constexpr int max_steps = 40;
 
 // The step of Newton's method for half the squared distance from a centre; where that has no
@@ -43,23 +45,24 @@ Vector2d ascent_step(const SurfacePoint& s, const Vector3d& offset, double lengt
 
 class Growth {
  public:
-  Growth(const Brep& brep, std::span<const Trim> trims, double deflection)
+  Growth(const Brep& brep, std::span<const Trim> trims, const Deflections& deflections)
       : brep_(brep),
         trims_(trims),
-        deflection_(deflection),
+        deflections_(deflections),
         node_count_(brep.mesh.vertices.size()),
         points_(brep.mesh.vertices) {}
 
+  // Around any centre the farthest point makes a ball that encloses everything.
   Ball run() {
-    Ball ball = enclosing_ball(points_);
-    for (int round = 0; round < max_rounds; ++round) {
+    Ball best{Vector3d::Zero(), std::numeric_limits<double>::infinity()};
+    for (int round = 0, idle = 0; round < max_rounds && idle < max_idle_rounds; ++round, ++idle) {
+      const Ball ball = enclosing_ball(points_);
       const double farthest = add_outside(ball);
-      if (farthest <= ball.radius * (1 + precision)) return ball;
-      const Ball larger = enclosing_ball(points_);
-      if (larger.radius <= ball.radius) return {ball.center, farthest};
-      ball = larger;
+      if (farthest < best.radius * (1 - precision)) idle = 0;
+      if (farthest < best.radius) best = {ball.center, farthest};
+      if (farthest <= ball.radius * (1 + precision)) break;
     }
-    return {ball.center, std::max(ball.radius, add_outside(ball))};
+    return best;
   }
 
  private:
@@ -76,8 +79,9 @@ class Growth {
         climb(t, ball.center, consider);
       }
     }
-    for (const BrepEdge& edge : brep_.edges) {
-      if (edge.kind != CurveKind::line) climb(edge, ball, consider);
+    for (std::size_t e = 0; e < brep_.edges.size(); ++e) {
+      const BrepEdge& edge = brep_.edges[e];
+      if (edge.kind != CurveKind::line) climb(edge, deflections_.edges[e], ball, consider);
     }
     return farthest;
   }
@@ -97,7 +101,8 @@ class Growth {
 
   bool may_stick_out(std::size_t triangle, const Ball& ball) const {
     return std::ranges::any_of(brep_.mesh.triangles[triangle], [&](std::uint32_t corner) {
-      return (brep_.mesh.vertices[corner] - ball.center).norm() + deflection_ > ball.radius;
+      return (brep_.mesh.vertices[corner] - ball.center).norm() + deflections_.triangles[triangle] >
+             ball.radius;
     });
   }
 
@@ -108,41 +113,59 @@ class Growth {
     const Trim& trim = trims_[brep_.face_of[triangle]];
     const double length = (brep_.mesh.vertices[b] - brep_.mesh.vertices[a]).norm();
     Vector2d uv = (brep_.parameters[a] + brep_.parameters[b] + brep_.parameters[c]) / 3.0;
+    const Surroundings surroundings(brep_.parameters[a], brep_.parameters[b], brep_.parameters[c],
+                                    face, trim);
     SurfacePoint s = face.surface->at(uv);
     for (int i = 0; i < max_steps; ++i) {
       const Vector3d offset = s.point - center;
       Vector2d step = ascent_step(s, offset, length);
       Vector2d next = uv + step;
       SurfacePoint at_next = s;
-      for (int halvings = 0; halvings < 30; ++halvings) {
-        next = limit(uv + step, face, trim);
+      for (int halvings = 0; halvings < 10; ++halvings) {
+        next = surroundings.limit(uv + step);
         at_next = face.surface->at(next);
         if ((at_next.point - center).squaredNorm() > offset.squaredNorm()) break;
         step *= 0.5;
       }
-      if ((at_next.point - center).squaredNorm() <= offset.squaredNorm()) break;
+      const double gain = (at_next.point - center).squaredNorm() - offset.squaredNorm();
+      if (!(gain > 0)) break;
       uv = next;
       s = at_next;
+      if (gain <= 0.01 * precision * offset.squaredNorm()) break;
     }
     if (trim.contains(uv)) consider(s.point);
   }
 
-  static Vector2d limit(Vector2d uv, const BrepFace& face, const Trim& trim) {
-    for (int i = 0; i < 2; ++i) {
-      if (!(face.period[i] > 0)) uv[i] = std::clamp(uv[i], trim.lower()[i], trim.upper()[i]);
+  // The parameters of a triangle and a margin around them: from beyond other triangles climb.
+  struct Surroundings {
+    Vector2d lower;
+    Vector2d upper;
+
+    Surroundings(const Vector2d& a, const Vector2d& b, const Vector2d& c, const BrepFace& face,
+                 const Trim& trim)
+        : lower(a.cwiseMin(b).cwiseMin(c)), upper(a.cwiseMax(b).cwiseMax(c)) {
+      const Vector2d margin = 0.5 * (upper - lower);
+      lower -= margin;
+      upper += margin;
+      for (int i = 0; i < 2; ++i) {
+        if (face.period[i] > 0) continue;
+        lower[i] = std::max(lower[i], trim.lower()[i]);
+        upper[i] = std::min(upper[i], trim.upper()[i]);
+      }
     }
-    return uv;
-  }
+    Vector2d limit(const Vector2d& uv) const { return uv.cwiseMax(lower).cwiseMin(upper); }
+  };
 
   // The largest distance between two nodes by ternary search, to half the digits, which is all that
   // a maximum needs.
   template <typename Visitor>
-  void climb(const BrepEdge& edge, const Ball& ball, const Visitor& consider) const {
+  void climb(const BrepEdge& edge, double deflection, const Ball& ball,
+             const Visitor& consider) const {
     const auto distance = [&](double t) { return (edge.curve->at(t).point - ball.center).norm(); };
     for (std::size_t i = 0; i + 1 < edge.parameters.size(); ++i) {
       double low = edge.parameters[i];
       double high = edge.parameters[i + 1];
-      if (std::max(distance(low), distance(high)) + deflection_ <= ball.radius) continue;
+      if (std::max(distance(low), distance(high)) + deflection <= ball.radius) continue;
       for (int step = 0; step < 60; ++step) {
         const double left = low + (high - low) / 3.0;
         const double right = high - (high - low) / 3.0;
@@ -155,15 +178,16 @@ class Growth {
 
   const Brep& brep_;
   std::span<const Trim> trims_;
-  double deflection_;
+  const Deflections& deflections_;
   std::size_t node_count_;
   std::vector<Vector3d> points_;  ///< the nodes, then those that were added
 };
 
 }  // namespace
 
-Ball exact_enclosing_ball(const Brep& brep, std::span<const Trim> trims, double deflection) {
-  return Growth(brep, trims, deflection).run();
+Ball exact_enclosing_ball(const Brep& brep, std::span<const Trim> trims,
+                          const Deflections& deflections) {
+  return Growth(brep, trims, deflections).run();
 }
 
 }  // namespace mdbd

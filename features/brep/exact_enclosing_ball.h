@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "features/brep/brep.h"
 #include "features/brep/trim.h"
@@ -8,12 +9,18 @@
 
 namespace mdbd {
 
+/// How far surfaces and edges are from their tessellation at most. Object units.
+struct Deflections {
+  std::vector<double> triangles;  ///< for each triangle of the mesh
+  std::vector<double> edges;      ///< for each edge
+};
+
 /// The smallest ball that encloses the exact surfaces: that of the tessellation's nodes, which
 /// grows by the points of surfaces and edges that are farthest from its centre, until none sticks
-/// out by more than a relative 1e-13.
+/// out by more than a relative 1e-12.
 /// @param trims of each face
-/// @param deflection the surfaces are at most so far from the tessellation; object units
 /// @pre the mesh has a vertex
-Ball exact_enclosing_ball(const Brep& brep, std::span<const Trim> trims, double deflection);
+Ball exact_enclosing_ball(const Brep& brep, std::span<const Trim> trims,
+                          const Deflections& deflections);
 
 }  // namespace mdbd

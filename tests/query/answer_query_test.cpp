@@ -59,7 +59,8 @@ TEST_CASE("mdbd-100 is what is compared unless something else is asked for") {
   CHECK(answer.result.matches.at(1).distance == Approx(4 * std::sqrt(50.0)));
 }
 
-TEST_CASE("with a unit sizes are comparable, and those of models without one are taken to be in it") {
+TEST_CASE(
+    "with a unit sizes are comparable, and those of models without one are taken to be in it") {
   const TemporaryDirectory folder;
   const auto store = open_store(folder / "a.db");
   const auto put = [&](const std::string& path, double scale, const std::string& statistics) {
@@ -67,9 +68,9 @@ TEST_CASE("with a unit sizes are comparable, and those of models without one are
     record.path = path;
     record.scale = scale;
     record.statistics = statistics;
-    return store->put(record, {.balls = random_balls(30, 1),
-                               .signature = std::vector<float>(100, 1.0F),
-                               .fused = {}});
+    return store->put(
+        record,
+        {.balls = random_balls(30, 1), .signature = std::vector<float>(100, 1.0F), .fused = {}});
   };
   const auto id = put("/part.step", 50.8, R"({"unit":"mm"})");
   put("/part.stl", 2.0, R"({"unit":"unknown"})");
