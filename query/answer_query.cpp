@@ -119,10 +119,15 @@ struct ShapeSearch::Query {
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
     : store_(store),
       options_(std::move(options)),
-      search_(make_search(store, options_, queries, completed_)) {}
+      search_(make_search(store, options_, queries, completed_)) {
+  if (!options_.is_approximate || search_.collection().empty()) return;
+  approximate_.emplace(search_);
+  recall_ = approximate_->measure_recall(search_, options_.count);
+}
 
 QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
-  QueryAnswer answer{.query = std::move(name), .result = {}, .completed = completed_};
+  QueryAnswer answer{
+      .query = std::move(name), .result = {}, .completed = completed_, .recall = recall_};
   SearchOptions search{.count = options_.count,
                        .threshold = options_.threshold,
                        .differences = options_.differences};
@@ -131,7 +136,8 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
     search.max_scale = query.scale * same_size_ratio;
   }
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
-  answer.result = search_.search(query.vector, search);
+  answer.result = approximate_ ? approximate_->search(search_, query.vector, search)
+                               : search_.search(query.vector, search);
   if (!options_.has_chirality) return answer;
   for (Match& match : answer.result.matches) {
     const std::span<const float> vector = search_.collection().values(match.row);

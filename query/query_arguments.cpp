@@ -51,8 +51,8 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "or in another format, with the evidence for each; nothing is deleted. Models "
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100");
-  for (const char* other :
-       {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain", "--same-size"}) {
+  for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
+                            "--same-size", "--approx"}) {
     duplicates->excludes(app.get_option(other));
   }
 }
@@ -87,6 +87,11 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
   declare_filters(app, arguments);
   app.add_flag("--same-size", options.has_same_size,
                "Only models whose R is within 1 % of that of the query");
+  app.add_flag("--approx", options.is_approximate,
+               "Be content with most of the nearest models, and measure which share of them is "
+               "found in this collection; exact answers are faster but for very many queries")
+      ->excludes(app.get_option("--threshold"))
+      ->excludes(app.get_option("--same-size"));
   auto* explain = app.add_flag("--explain", arguments.is_explained,
                                "Show how much of each distance each part of the signature makes, "
                                "and which of its numbers differ the most");

@@ -51,7 +51,14 @@ nlohmann::ordered_json to_json(const QueryAnswer& answer) {
     if (!match.differences.empty()) object["differences"] = to_json(match.differences);
     matches.push_back(std::move(object));
   }
-  return {{"query", answer.query}, {"exact", true}, {"matches", matches}};
+  nlohmann::ordered_json object = {{"query", answer.query}, {"exact", !answer.recall.has_value()}};
+  if (answer.recall) {
+    object["recall"] = {{"share", answer.recall->share},
+                        {"count", answer.recall->count},
+                        {"sampled", answer.recall->sampled}};
+  }
+  object["matches"] = std::move(matches);
+  return object;
 }
 
 std::string dump(const nlohmann::ordered_json& document) {
@@ -96,6 +103,14 @@ std::string format_table(const SearchResult& result, const std::filesystem::path
     if (is_explained) append_differences(match, table);
   }
   return table;
+}
+
+std::string describe_exactness(const QueryAnswer& answer) {
+  if (!answer.recall) return "the answer is exact";
+  return fmt::format(
+      "approximate: recall@{} {:.3f} on {} sampled models of this collection (exact answer: drop "
+      "--approx)",
+      answer.recall->count, answer.recall->share, answer.recall->sampled);
 }
 
 std::string format_json(const QueryAnswer& answer) { return dump(to_json(answer)); }

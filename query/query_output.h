@@ -23,6 +23,9 @@ std::string format_table(const SearchResult& result, const std::filesystem::path
 /// are no UTF-8 become U+FFFD.
 std::string format_json(const QueryAnswer& answer);
 
+/// "the answer is exact", or how far it can be trusted.
+std::string describe_exactness(const QueryAnswer& answer);
+
 /// An array of objects as in format_json(const QueryAnswer&), in the order of the queries.
 std::string format_json(std::span<const QueryAnswer> answers);
 
