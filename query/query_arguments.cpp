@@ -89,7 +89,7 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
                "Only models whose R is within 1 % of that of the query");
   app.add_flag("--approx", options.is_approximate,
                "Be content with most of the nearest models, and measure which share of them is "
-               "found in this collection; exact answers are faster but for very many queries")
+               "found in this collection; exact answers are faster")
       ->excludes(app.get_option("--threshold"))
       ->excludes(app.get_option("--same-size"));
   auto* explain = app.add_flag("--explain", arguments.is_explained,

@@ -126,4 +126,4 @@ query_test(approximate COMMAND mdbd-query --id 1 --db ${database} --approx --top
 query_test(approximate_json COMMAND mdbd-query --id 1 --db ${database} --approx --json
   REGEXP "\"exact\": false,\n *\"recall\": {\n *\"share\": 1\\.0")
 mdbd_cli_test(NAME query/approximate_and_threshold COMMAND mdbd-query --id 1 --approx --threshold 1 EXIT 2
-  REGEXP "excludes --threshold")
+  REGEXP "--approx excludes --threshold|--threshold excludes --approx")
