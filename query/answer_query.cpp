@@ -129,7 +129,11 @@ struct ShapeSearch::Query {
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
     : store_(store),
       options_(std::move(options)),
-      search_(make_search(store, options_, queries, completed_)) {}
+      search_(make_search(store, options_, queries, completed_)) {
+  if (!options_.is_approximate || search_.collection().empty()) return;
+  approximate_.emplace(search_);
+  recall_ = approximate_->measure_recall(search_, options_.count);
+}
 
 QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
   QueryAnswer answer{.query = std::move(name),
@@ -137,7 +141,8 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
                      .completed = completed_,
                      .radius_count = static_cast<std::size_t>(store_.recipe().descriptor_balls),
                      .query_scale = query.scale,
-                     .query_data = std::move(query.data)};
+                     .query_data = std::move(query.data),
+                     .recall = recall_};
   SearchOptions search{.count = options_.count,
                        .threshold = options_.threshold,
                        .differences = options_.differences};
@@ -146,7 +151,8 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
     search.max_scale = query.scale * same_size_ratio;
   }
   query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
-  answer.result = search_.search(query.vector, search);
+  answer.result = approximate_ ? approximate_->search(search_, query.vector, search)
+                               : search_.search(query.vector, search);
   if (options_.has_data) {
     for (const Match& match : answer.result.matches) {
       answer.match_data.push_back(store_.data(match.id));

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "features/core/signature.h"
 #include "features/describe.h"
+#include "query/approximate_search.h"
 #include "query/collection_filter.h"
 #include "query/exact_search.h"
 #include "query/vector_cache.h"
@@ -33,6 +35,8 @@ struct QueryOptions {
   /// others are taken to be in it. Empty: sizes are compared as they are.
   std::string unit = {};
   bool has_same_size = false;  ///< only models of the query's size: same_size_ratio
+  /// Most of the nearest will do; not with has_same_size. The share is measured.
+  bool is_approximate = false;
   /// The database of the store, beside which vectors are cached (vector_cache.h). Empty: nowhere.
   std::filesystem::path cached_database = {};
   std::size_t least_cached_models = mdbd::least_cached_models;
@@ -45,10 +49,11 @@ struct QueryAnswer {
   SearchResult result;
   /// Models whose vector was computed from their balls: the database is older than the signature.
   std::size_t completed = 0;
-  std::size_t radius_count = 0;            ///< k, how many numbers of mdbd-100 are radii
-  double query_scale = 0.0;                ///< R in object units
-  ShapeData query_data = {};               ///< if it was asked for
-  std::vector<ShapeData> match_data = {};  ///< of each match, if it was asked for
+  std::size_t radius_count = 0;                 ///< k, how many numbers of mdbd-100 are radii
+  double query_scale = 0.0;                     ///< R in object units
+  ShapeData query_data = {};                    ///< if it was asked for
+  std::vector<ShapeData> match_data = {};       ///< of each match, if it was asked for
+  std::optional<Recall> recall = std::nullopt;  ///< if the answer is approximate
 };
 
 /// Describes a file by a recipe; throws as describe_file() does.
@@ -76,6 +81,8 @@ class ShapeSearch {
   QueryOptions options_;
   std::size_t completed_ = 0;
   ExactSearch search_;
+  std::optional<ApproximateSearch> approximate_;
+  std::optional<Recall> recall_;
 };
 
 /// The models of a collection that look most like a shape file. The file is described by the recipe

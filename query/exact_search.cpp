@@ -199,22 +199,40 @@ void ExactSearch::visit_index(std::span<const float> query, Candidates& candidat
   }
 }
 
-SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
+void ExactSearch::check_query(std::span<const float> query, const SearchOptions& options) const {
   if (options.count == 0) throw InvalidInput("the number of matches asked for must be at least 1");
-  SearchResult result;
-  result.part_names = metric_->part_names();
-  if (collection_.empty()) return result;
+  if (collection_.empty()) return;
   if (query.size() != collection_.dimension()) {
     throw InvalidInput("a query of " + std::to_string(query.size()) +
                        " numbers against vectors of " + std::to_string(collection_.dimension()));
   }
   magnitude(query, blocks_);
+}
+
+SearchResult ExactSearch::search(std::span<const float> query, const SearchOptions& options) const {
+  check_query(query, options);
   Candidates candidates(*this, query, options);
-  if (sketches_) {
+  if (sketches_ && !collection_.empty()) {
     visit_index(query, candidates);
   } else {
     scan(candidates);
   }
+  return finish(query, options, candidates);
+}
+
+SearchResult ExactSearch::search_among(std::span<const std::size_t> rows,
+                                       std::span<const float> query,
+                                       const SearchOptions& options) const {
+  check_query(query, options);
+  Candidates candidates(*this, query, options);
+  for (const std::size_t row : rows) candidates.consider(row);
+  return finish(query, options, candidates);
+}
+
+SearchResult ExactSearch::finish(std::span<const float> query, const SearchOptions& options,
+                                 Candidates& candidates) const {
+  SearchResult result;
+  result.part_names = metric_->part_names();
   result.compared = count_within(options);
   result.examined = candidates.examined();
   for (const Candidate& candidate : candidates.take()) {

@@ -86,7 +86,12 @@ class ExactSearch {
   ///         or a value that the constructor refuses
   SearchResult search(std::span<const float> query, const SearchOptions& options = {}) const;
 
+  /// As search(), among some rows of the collection only.
+  SearchResult search_among(std::span<const std::size_t> rows, std::span<const float> query,
+                            const SearchOptions& options) const;
+
   const VectorTable& collection() const { return collection_; }
+  std::span<const MetricBlock> blocks() const { return blocks_; }
   bool has_index() const { return sketches_.has_value(); }
 
  private:
@@ -95,6 +100,9 @@ class ExactSearch {
   void check_values() const;
   void build_index(std::size_t searches, SearchMethod method);
   std::size_t count_within(const SearchOptions& options) const;
+  void check_query(std::span<const float> query, const SearchOptions& options) const;
+  SearchResult finish(std::span<const float> query, const SearchOptions& options,
+                      Candidates& candidates) const;
   void scan(Candidates& candidates) const;
   void visit_index(std::span<const float> query, Candidates& candidates) const;
   Match describe(std::span<const float> query, const Candidate& candidate,

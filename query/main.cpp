@@ -31,8 +31,8 @@ void print_note(const mdbd::QueryAnswer& answer, bool is_filtered) {
                            : "The database holds no models; add some with mdbd-index.");
     return;
   }
-  fmt::print(stderr, "Compared with {} model{}; the answer is exact.\n", result.compared,
-             result.compared == 1 ? "" : "s");
+  fmt::print(stderr, "Compared with {} model{}; {}.\n", result.compared,
+             result.compared == 1 ? "" : "s", mdbd::describe_exactness(answer));
   print_completed(answer.completed);
 }
 

@@ -54,7 +54,7 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
-                            "--html", "--same-size", "--unit"}) {
+                            "--html", "--same-size", "--unit", "--approx"}) {
     duplicates->excludes(app.get_option(other));
   }
 }
@@ -93,6 +93,11 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
                   "they are in the files");
   app.add_flag("--same-size", options.has_same_size,
                "Only models whose R is within 1 % of that of the query");
+  app.add_flag("--approx", options.is_approximate,
+               "Be content with most of the nearest models, and measure which share of them is "
+               "found in this collection; exact answers are faster")
+      ->excludes(app.get_option("--threshold"))
+      ->excludes(app.get_option("--same-size"));
   auto* explain = app.add_flag("--explain", arguments.is_explained,
                                "Show how much of each distance each part of the signature makes, "
                                "which of its numbers and which balls differ the most, and both "

@@ -118,7 +118,12 @@ nlohmann::ordered_json to_json(const QueryAnswer& answer, bool is_explained) {
     }
     matches.push_back(std::move(object));
   }
-  nlohmann::ordered_json object = {{"query", answer.query}, {"exact", true}};
+  nlohmann::ordered_json object = {{"query", answer.query}, {"exact", !answer.recall.has_value()}};
+  if (answer.recall) {
+    object["recall"] = {{"share", answer.recall->share},
+                        {"count", answer.recall->count},
+                        {"sampled", answer.recall->sampled}};
+  }
   if (is_explained) add_lists(answer, answer.query_data, object);
   object["matches"] = std::move(matches);
   return object;
@@ -169,6 +174,14 @@ std::string make_table(const SearchResult& result, const std::filesystem::path& 
 }
 
 }  // namespace
+
+std::string describe_exactness(const QueryAnswer& answer) {
+  if (!answer.recall) return "the answer is exact";
+  return fmt::format(
+      "approximate: recall@{} {:.3f} on {} sampled models of this collection (exact answer: drop "
+      "--approx)",
+      answer.recall->count, answer.recall->share, answer.recall->sampled);
+}
 
 std::string format_table(const SearchResult& result, const std::filesystem::path& directory) {
   return make_table(result, directory, nullptr);

@@ -30,6 +30,9 @@ std::string format_explained_table(const QueryAnswer& answer,
 ///        those whose scaled radii differ the most; the answer has its data then
 std::string format_json(const QueryAnswer& answer, bool is_explained = false);
 
+/// "the answer is exact", or how far it can be trusted.
+std::string describe_exactness(const QueryAnswer& answer);
+
 /// An array of objects as in format_json(const QueryAnswer&), in the order of the queries.
 std::string format_json(std::span<const QueryAnswer> answers, bool is_explained = false);
 

@@ -28,7 +28,7 @@ std::int64_t put_model(ShapeStore& store, const std::string& path, unsigned seed
   return store.put(record, data);
 }
 
-constexpr QueryOptions fused_options{.count = 3, .signature = SignatureKind::mdbd_fused};
+const QueryOptions fused_options{.count = 3, .signature = SignatureKind::mdbd_fused};
 
 }  // namespace
 

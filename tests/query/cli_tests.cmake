@@ -130,3 +130,9 @@ endforeach()
 mdbd_cli_test(NAME query/id_no_number COMMAND mdbd-query --id one EXIT 2 REGEXP "--id")
 mdbd_cli_test(NAME query/unknown_option COMMAND mdbd-query a.off --nearest EXIT 2 REGEXP "--nearest")
 mdbd_cli_test(NAME query/help_on_the_cache COMMAND mdbd-query --help REGEXP "--no-cache" "\\.vectors")
+query_test(approximate COMMAND mdbd-query --id 1 --db ${database} --approx --top 2
+  REGEXP "approximate: recall@2 1\\.000 on [0-9] sampled models of this collection .exact answer: drop --approx.")
+query_test(approximate_json COMMAND mdbd-query --id 1 --db ${database} --approx --json
+  REGEXP "\"exact\": false,\n *\"recall\": {\n *\"share\": 1\\.0")
+mdbd_cli_test(NAME query/approximate_and_threshold COMMAND mdbd-query --id 1 --approx --threshold 1 EXIT 2
+  REGEXP "--approx excludes --threshold|--threshold excludes --approx")
