@@ -81,7 +81,7 @@ CLI::Option* add_unit_option(CLI::App& app, std::string& unit, const std::string
   for (const LengthUnit& known : length_units) names.emplace_back(known.name);
   return app.add_option("--unit", unit, description)
       ->check(CLI::IsMember(names).description(""))
-      ->type_name("mm|cm|m|inch|ft");
+      ->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 
 std::string format_size(std::uint64_t bytes) {

@@ -124,7 +124,8 @@ std::string format_json(const DecomposedModel& model) {
 
 std::string format_svg(const DecomposedModel& model) {
   if (model.outlines.empty()) {
-    throw InvalidInput("only domains in the plane are drawn as SVG, and this is a solid");
+    throw InvalidInput(
+        fmt::format("{}: only domains in the plane are drawn, and this is a solid", model.path));
   }
   const auto [lowest, highest] = bounding_rectangle(model.outlines);
   const Eigen::Vector2d size = highest - lowest;
