@@ -13,6 +13,7 @@
 #include "features/shape_io/assimp_reader.h"
 #include "features/shape_io/clean_mesh.h"
 #include "features/shape_io/point_formats.h"
+#include "features/shape_io/read_planar_domain.h"
 #include "features/shape_io/voxel_header.h"
 #include "features/shape_io/vti_reader.h"
 
@@ -67,6 +68,14 @@ void check(const mdbd::VoxelHeader& header) {
   const mdbd::VoxelGrid grid = mdbd::read_vti(std::string(bytes));
   require(grid.values.size() == grid.size[0] * grid.size[1] * grid.size[2]);
 }
+
+void check(const mdbd::PlanarDomain& domain) {
+  const mdbd::PlanarDomain simple = mdbd::simplify(domain);
+  require(std::isfinite(mdbd::area(simple)));
+}
+
+[[maybe_unused]] void svg(std::string_view bytes) { check(mdbd::read_svg(std::string(bytes))); }
+[[maybe_unused]] void wkt(std::string_view bytes) { check(mdbd::read_wkt(std::string(bytes))); }
 
 }  // namespace
 
