@@ -167,8 +167,8 @@ Discovery discover_changed(std::span<const fs::path> paths) {
 bool is_within(const std::string& path, std::span<const std::string> roots) {
   return std::ranges::any_of(roots, [&](const std::string& root) {
     const bool ends_in_slash = root.ends_with('/');
-    return path == root || split_solid_path(path).file == root ||
-           path.starts_with(ends_in_slash ? root : root + '/');
+    return path == root || path.starts_with(ends_in_slash ? root : root + '/') ||
+           (path.starts_with(root + '#') && split_solid_path(path).file == root);
   });
 }
 

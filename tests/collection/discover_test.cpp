@@ -139,6 +139,10 @@ TEST_CASE("within means at or below") {
   CHECK_FALSE(is_within("/a/bc", roots));
   CHECK_FALSE(is_within("/a", roots));
   CHECK(is_within("/a", std::vector<std::string>{"/"}));
+  const std::vector<std::string> part{"/a/b.step"};
+  CHECK(is_within("/a/b.step#2", part));
+  CHECK_FALSE(is_within("/a/b.step#b", part));
+  CHECK_FALSE(is_within("/a/b.step", std::vector<std::string>{"/a/b.step#2"}));
 }
 
 TEST_CASE("of changed paths what is gone, or no model, is a root and nothing else") {
