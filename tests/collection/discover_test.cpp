@@ -169,3 +169,15 @@ TEST_CASE("paths that do not exist can be passed over, as no roots") {
   CHECK(found.roots == std::vector<std::string>{model});
   CHECK(found.files.size() == 1);
 }
+
+TEST_CASE("one solid of a CAD file may be asked for, and a file may have a # in its name") {
+  test::TemporaryDirectory folder;
+  const fs::path part = folder.write("a#1.step", "123");
+  const Discovery found = discover_one(part.string() + "#2");
+  REQUIRE(found.files.size() == 1);
+  CHECK(found.files[0].path == part.string() + "#2");
+  CHECK(found.files[0].size == 3);
+  folder.write("a.step#2", "");  // no model
+  CHECK(names(discover_one(folder.path()), folder.path()) == std::vector<std::string>{"a#1.step"});
+  CHECK_THROWS_AS(discover_one(folder / "b.step#2"), IoError);
+}
