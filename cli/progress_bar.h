@@ -32,6 +32,8 @@ class ProgressBar {
 
   /// Starts the clock of a run of so many models.
   void start(std::size_t total);
+  /// Notes that there are so many models more.
+  void extend(std::size_t models) { state_.total += models; }
   /// Notes that one more model is done.
   void advance(bool has_failed);
   /// Draws the bar if it is due; call it now and then, so that the clock moves during slow models.

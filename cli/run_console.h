@@ -17,6 +17,8 @@ class RunConsole {
 
   /// Begins a stage of so many models.
   void start(std::size_t models) { bar_.start(models); }
+  /// Adds so many models to the stage.
+  void extend(std::size_t models) { bar_.extend(models); }
   void advance(bool has_failed) { bar_.advance(has_failed); }
   /// Call it about ten times a second.
   void refresh() { bar_.refresh(); }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <sys/stat.h>
 
+#include "features/brep/solid_path.h"
 #include "features/core/errors.h"
 #include "features/shape_io/shape_files.h"
 
@@ -41,11 +42,12 @@ class Search {
 
   void start(const std::string& root) {
     struct stat status {};
-    if (::stat(root.c_str(), &status) != 0) {
+    const fs::path file = split_solid_path(root).file;
+    if (::stat(file.c_str(), &status) != 0) {
       const int error = errno;
       throw IoError(fmt::format("{}: {}", root, std::generic_category().message(error)));
     }
-    if (S_ISREG(status.st_mode) && !has_shape_extension(root)) {
+    if (S_ISREG(status.st_mode) && !has_shape_extension(file)) {
       found_.unusable.push_back({root, fmt::format("unsupported ending; models end in {}",
                                                    fmt::join(shape_file_extensions(), ", "))});
     } else if (S_ISDIR(status.st_mode)) {
@@ -165,7 +167,8 @@ Discovery discover_changed(std::span<const fs::path> paths) {
 bool is_within(const std::string& path, std::span<const std::string> roots) {
   return std::ranges::any_of(roots, [&](const std::string& root) {
     const bool ends_in_slash = root.ends_with('/');
-    return path == root || path.starts_with(ends_in_slash ? root : root + '/');
+    return path == root || path.starts_with(ends_in_slash ? root : root + '/') ||
+           (path.starts_with(root + '#') && split_solid_path(path).file == root);
   });
 }
 

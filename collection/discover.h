@@ -31,7 +31,7 @@ struct Discovery {
 };
 
 /// Finds the regular files that are models (is_shape_file) at and below some paths; those asked for
-/// by name need only the ending of one.
+/// by name need only the ending of one, and may be one solid of a CAD file (solid_path.h).
 ///
 /// Hidden files and folders (".git") and links to folders are passed over, unless asked for by
 /// name. Unusable are: what has the ending of a model and is a folder (it is still searched), a
@@ -48,7 +48,7 @@ Discovery discover_existing(std::span<const std::filesystem::path> paths);
 /// @param paths absolute and lexically normal
 Discovery discover_changed(std::span<const std::filesystem::path> paths);
 
-/// Whether a path is one of the roots of a discovery or lies below one.
+/// Whether a path is one of the roots of a discovery, a solid of one or lies below one.
 bool is_within(const std::string& path, std::span<const std::string> roots);
 
 }  // namespace mdbd

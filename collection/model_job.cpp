@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "features/brep/read_brep.h"
+#include "features/brep/solid_path.h"
 #include "features/core/errors.h"
 #include "features/shape_io/content_hash.h"
 #include "picture/thumbnail.h"
@@ -28,6 +30,7 @@ json encode(const ModelResult& result) {
     balls.insert(balls.end(), {ball.center.x(), ball.center.y(), ball.center.z(), ball.radius});
   }
   return {{"is_known", result.is_known},
+          {"solids", result.solids},
           {"format", record.format},
           {"representation", record.representation},
           {"statistics", record.statistics},
@@ -46,6 +49,7 @@ ModelResult decode(const json& object) {
   ModelResult result;
   ShapeRecord& record = result.record;
   object.at("is_known").get_to(result.is_known);
+  object.at("solids").get_to(result.solids);
   object.at("format").get_to(record.format);
   object.at("representation").get_to(record.representation);
   object.at("statistics").get_to(record.statistics);
@@ -150,14 +154,16 @@ std::string content_key(const std::string& content_hash, const std::filesystem::
 
 void run_model_job(const std::filesystem::path& path,
                    const std::unordered_set<std::string>& known_keys,
-                   const DescribeFunction& describe, const SendOutput& send) {
+                   const DescribeFunction& describe, const SendOutput& send, bool is_per_solid) {
   std::string hash;
   const ModelResult result = catch_failures([&] {
-    hash = content_hash(path);
+    hash = content_hash(split_solid_path(path).file);
     send(hash);
     if (known_keys.contains(content_key(hash, path))) {
       return ModelResult{.is_known = true, .record = {}, .data = {}};
     }
+    const std::size_t solids = is_per_solid && is_brep_file(path) ? count_solids(path) : 1;
+    if (solids > 1) return ModelResult{.solids = solids, .record = {}, .data = {}};
     return succeeded(describe(path));
   });
   if (hash.empty()) send(std::string(hash_length, '0'));

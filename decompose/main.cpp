@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   std::filesystem::path model;
   std::filesystem::path output;
   mdbd::Recipe recipe;
-  app.add_option("MODEL", model, "A shape file")->required();
+  app.add_option("MODEL", model, "A shape file, or one solid of a STEP or IGES file: part.step#2")
+      ->required();
   app.add_option("-o,--output", output, "Write to this file; its ending gives the format")
       ->type_name("FILE");
   app.add_option("--balls", recipe.balls, "How many balls are placed at most")

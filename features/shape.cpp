@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "features/brep/read_brep.h"
+#include "features/brep/solid_path.h"
 #include "features/brep_shape.h"
 #include "features/cloud_shape.h"
 #include "features/core/errors.h"
@@ -20,7 +21,7 @@ namespace mdbd {
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (is_point_cloud_file(path)) return load_cloud_shape(path);
-  if (is_brep_file(path)) return load_brep_shape(path, recipe);
+  if (is_brep_file(split_solid_path(path).file)) return load_brep_shape(path, recipe);
   if (has_extension(path, planar_file_extensions())) return load_planar_shape(path);
   if (has_extension(path, implicit_file_extensions())) return load_implicit_shape(path);
   if (has_extension(path, voxel_file_extensions())) return load_voxel_shape(path, recipe);

@@ -32,6 +32,7 @@ struct Shape {
 
 /// Reads a shape and prepares it as the recipe says. The one place where a representation is
 /// chosen.
+/// @param path of a file, or of one solid of a CAD file: "a.step#3"
 /// @throws IoError if the file cannot be read
 /// @throws InvalidInput if it is no usable shape; the message does not name the file
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe);

@@ -35,6 +35,10 @@ void ChangePrinter::on_start(std::size_t models) {
   if (is_first_run_) observer_.on_start(models);
 }
 
+void ChangePrinter::on_more_models(std::size_t models) {
+  if (is_first_run_) observer_.on_more_models(models);
+}
+
 void ChangePrinter::on_model_done(bool has_failed) {
   if (is_first_run_) observer_.on_model_done(has_failed);
 }

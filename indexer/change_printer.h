@@ -17,6 +17,7 @@ class ChangePrinter final : public WatchObserver {
       : console_(console), observer_(console), is_quiet_(is_quiet) {}
 
   void on_start(std::size_t models) override;
+  void on_more_models(std::size_t models) override;
   void on_model_done(bool has_failed) override;
   void on_failure(const IndexFailure& failure) override;
   void on_change(const IndexChange& change) override;

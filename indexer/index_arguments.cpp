@@ -16,6 +16,7 @@ constexpr const char* examples = R"(Examples:
   mdbd-index models --prune            and remove those whose files are gone
   mdbd-index parts scans --db all.db --jobs 8 --model-time 5m
   mdbd-index models --prune --watch    and stay, following what happens there
+  mdbd-index assemblies --per-solid    each solid of a STEP or IGES file is a model
   mdbd-index models --dry-run --json   what would be done, for programs
 
 Unchanged files are passed over, so the same command continues an interrupted run. Hidden files and
@@ -49,6 +50,13 @@ void declare_options(CLI::App& app, IndexArguments& arguments) {
   add_size_option(app, "--model-memory", options.limits.memory, "Memory budget of a model");
   app.add_flag("--no-thumbnails", arguments.has_no_thumbnails,
                "Draw no pictures of the models, which mdbd-query --html shows");
+  auto* per_solid = app.add_flag_callback(
+      "--per-solid", [&options] { options.is_per_solid = true; },
+      "Each solid of a STEP or IGES file is a model, part.step#2, from now on in this database");
+  app.add_flag_callback(
+         "--whole", [&options] { options.is_per_solid = false; },
+         "Each STEP or IGES file is one model again")
+      ->excludes(per_solid);
   app.add_flag("--force", options.force, "Compute unchanged and failed models again");
   app.add_flag("--prune", options.prune, "Remove models below PATH whose files are gone");
   auto* watch = app.add_flag("--watch", arguments.is_watching,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct IndexOptions {
   ProcessLimits limits;  ///< of one model
   bool force = false;    ///< compute every model again, even if its file is unchanged
   bool prune = false;    ///< remove the records of files that are gone
+  /// Each solid of a CAD file of several is a model, by its solid_path(). Not given: as the store
+  /// has it, which is so if it has a solid.
+  std::optional<bool> is_per_solid = std::nullopt;
 };
 
 /// A model that could not be read or decomposed.
@@ -38,7 +42,7 @@ struct IndexSummary {
   std::size_t indexed = 0;    ///< new or changed, and in the store now
   std::size_t unchanged = 0;  ///< same content at the same path
   std::size_t moved = 0;      ///< same content at another path than before
-  std::size_t removed = 0;    ///< records removed: their files are gone
+  std::size_t removed = 0;    ///< records removed: their files, or solids of these, are gone
   std::size_t gone = 0;       ///< records kept although their files are gone
   std::size_t left = 0;       ///< models not looked at, if the run was interrupted
   std::size_t completed = 0;  ///< models that gained the signature mdbd-fused from their balls
@@ -52,6 +56,8 @@ class IndexObserver {
  public:
   virtual ~IndexObserver() = default;
   virtual void on_start(std::size_t models) = 0;  ///< models that are not plainly unchanged
+  /// A file, itself counted and done, has so many solids that are models.
+  virtual void on_more_models(std::size_t /*models*/) {}
   virtual void on_model_done(bool has_failed) = 0;
   virtual void on_failure(const IndexFailure& failure) = 0;  ///< new ones only
   virtual void on_change(const IndexChange& /*change*/) {}
@@ -68,6 +74,10 @@ class IndexObserver {
 /// `describe`, in a process of its own. A failure is stored with its reason. Failures of content,
 /// budget and crashes are tried again when the content changes, or with `force`; unreadable files
 /// at every run. Only records of files at or below the paths are touched.
+///
+/// Per solid, the solids of a file that is not plainly unchanged are counted first; each is then
+/// treated as a file is. Records of a file that are none of its models any more, such as that of
+/// the whole, are removed.
 ///
 /// Each model is stored as soon as it is computed, so that a killed run loses only the models in
 /// flight. Records do not depend on the number of jobs, but the ids of new ones may.

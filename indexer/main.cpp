@@ -3,6 +3,8 @@
 
 #include "cli/interruption.h"
 #include "cli/program.h"
+#include "features/brep/solid_path.h"
+#include "features/core/errors.h"
 #include "features/shape_unit.h"
 #include "indexer/change_printer.h"
 #include "indexer/console_observer.h"
@@ -33,11 +35,19 @@ ExitCode report(const mdbd::IndexSummary& summary, const mdbd::IndexArguments& a
   return summary.failures.empty() ? ExitCode::done : ExitCode::partial;
 }
 
+void require_files(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (mdbd::split_solid_path(path).solid == 0) continue;
+    throw mdbd::InvalidInput(path + ": is one solid; name its file, with --per-solid");
+  }
+}
+
 ExitCode run(const mdbd::IndexArguments& arguments) {
   mdbd::RunConsole console(program, arguments.is_quiet);
   mdbd::ConsoleObserver observer(console);
   // The search comes first: a mistyped path must not leave an empty database behind.
   const mdbd::Discovery found = mdbd::discover(arguments.paths);
+  require_files(found.roots);
   const auto store =
       mdbd::open_index_store(arguments.database, arguments.recipe, arguments.is_dry_run);
   const mdbd::DescribeFunction describe = [&](const std::filesystem::path& path) {

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "features/brep/solid_path.h"
 #include "query/collect_vectors.h"
 #include "query/exact_search.h"
 
@@ -185,6 +186,12 @@ std::vector<Member> read_members(const ShapeStore& store, const Collection& coll
   return members;
 }
 
+/// Solids of files with the same content are the same if their numbers are.
+bool has_same_bytes(const ShapeRecord& left, const ShapeRecord& right) {
+  return !left.content_hash.empty() && left.content_hash == right.content_hash &&
+         split_solid_path(left.path).solid == split_solid_path(right.path).solid;
+}
+
 DuplicatePair compare(const Collection& collection, const std::vector<Member>& members,
                       std::size_t first, std::size_t second) {
   const Member& left = members[first];
@@ -195,8 +202,7 @@ DuplicatePair compare(const Collection& collection, const std::vector<Member>& m
           .radii_distance = collection.radii_distance(left.row, right.row),
           .scale_ratio = right.record.scale / left.record.scale,
           .hand = compare_hands(left.chirality, right.chirality),
-          .has_same_bytes = !left.record.content_hash.empty() &&
-                            left.record.content_hash == right.record.content_hash};
+          .has_same_bytes = has_same_bytes(left.record, right.record)};
 }
 
 DuplicateGroup describe_group(const Collection& collection, std::vector<Member> members,

@@ -35,7 +35,8 @@ struct DuplicatePair {
   double radii_distance = 0.0;  ///< the part "radii" of the distance by mdbd-100
   double scale_ratio = 1.0;     ///< R of the second by R of the first
   Hand hand = Hand::none;
-  bool has_same_bytes = false;  ///< the files have the same content
+  bool has_same_bytes =
+      false;  ///< the files have the same content, of which both are the same solid
 };
 
 /// Models of one shape.

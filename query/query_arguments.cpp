@@ -64,7 +64,9 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
 void declare_options(CLI::App& app, QueryArguments& arguments) {
   app.footer(examples);
   QueryOptions& options = arguments.options;
-  auto* model = app.add_option("MODEL", arguments.models, "Shape files, or folders of them");
+  auto* model = app.add_option(
+      "MODEL", arguments.models,
+      "Shape files or folders of them; part.step#2 is one solid of a STEP or IGES file");
   app.add_option("--id", arguments.id, "Search with this model of the database instead")
       ->excludes(model)
       ->type_name("N");

@@ -58,11 +58,11 @@ TopoDS_Shape collect_solids(const TopoDS_Shape& shape, std::size_t wanted, BrepF
   return all;
 }
 
-TopoDS_Shape sew(const TopoDS_Shape& shape, BrepFile& file) {
+/// Solids of faces that have none, or the faces themselves if these do not close.
+TopoDS_Shape sew(const TopoDS_Shape& shape) {
   BRepBuilderAPI_Sewing sewing(sewing_tolerance);
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) sewing.Add(it.Current());
   sewing.Perform();
-  file.is_sewn = true;
   const BRep_Builder builder;
   TopoDS_Compound all;
   builder.MakeCompound(all);
@@ -71,30 +71,49 @@ TopoDS_Shape sew(const TopoDS_Shape& shape, BrepFile& file) {
     TopoDS_Solid solid;
     builder.MakeSolid(solid);
     builder.Add(solid, it.Current());
-    if (turn_outward(solid)) ++file.solids_turned;
     builder.Add(all, solid);
-    ++file.solids;
   }
   if (count(sewing.SewedShape(), TopAbs_FACE, TopAbs_SHELL) > 0) return sewing.SewedShape();
   return all;
 }
 
-BrepFile read(const std::filesystem::path& path, std::size_t wanted) {
+/// Reads a file whose shape holds solids, or faces that make none.
+OcctFile read_solids(const std::filesystem::path& path, BrepFile& file) {
   OcctFile read = read_occt_file(path);
-  BrepFile file;
-  file.format = read.format;
-  file.file_unit = read.unit;
-  const std::size_t solids = count(read.shape, TopAbs_SOLID);
-  if (solids == 0 && count(read.shape, TopAbs_FACE) == 0) {
+  file.is_sewn = count(read.shape, TopAbs_SOLID) == 0;
+  if (!file.is_sewn) return read;
+  if (count(read.shape, TopAbs_FACE) == 0) {
     throw InvalidInput("holds no faces: curves or points only, or nothing that is understood");
   }
-  file.faces_ignored = solids > 0 ? count(read.shape, TopAbs_FACE, TopAbs_SOLID) : 0;
+  read.shape = sew(read.shape);
+  return read;
+}
+
+BrepFile read(const std::filesystem::path& path, std::size_t wanted) {
+  BrepFile file;
+  const OcctFile read = read_solids(path, file);
+  file.format = read.format;
+  file.file_unit = read.unit;
+  const bool is_solid = count(read.shape, TopAbs_SOLID) > 0;
+  file.faces_ignored = is_solid ? count(read.shape, TopAbs_FACE, TopAbs_SOLID) : 0;
   const TopoDS_Shape chosen =
-      solids > 0 ? collect_solids(read.shape, wanted, file) : sew(read.shape, file);
+      is_solid || wanted > 0 ? collect_solids(read.shape, wanted, file) : read.shape;
   file.faces = count(chosen, TopAbs_FACE);
   if (file.faces == 0) throw InvalidInput("holds no faces that could be used");
   file.brep = make_brep(chosen);
   return file;
+}
+
+/// Calls a function; a failure of OpenCASCADE is one of the file.
+template <typename Function>
+auto explain_failures(const Function& function) {
+  try {
+    return function();
+  } catch (const Standard_Failure& failure) {
+    const std::string_view text = failure.GetMessageString();
+    throw InvalidInput(fmt::format("damaged: {}{}{}", failure.DynamicType()->Name(),
+                                   text.empty() ? "" : ": ", text));
+  }
 }
 
 }  // namespace
@@ -108,13 +127,12 @@ bool is_brep_file(const std::filesystem::path& path) {
 }
 
 BrepFile read_brep(const std::filesystem::path& path, std::size_t solid) {
-  try {
-    return read(path, solid);
-  } catch (const Standard_Failure& failure) {
-    const std::string_view text = failure.GetMessageString();
-    throw InvalidInput(fmt::format("damaged: {}{}{}", failure.DynamicType()->Name(),
-                                   text.empty() ? "" : ": ", text));
-  }
+  return explain_failures([&] { return read(path, solid); });
+}
+
+std::size_t count_solids(const std::filesystem::path& path) {
+  BrepFile file;
+  return explain_failures([&] { return count(read_solids(path, file).shape, TopAbs_SOLID); });
 }
 
 }  // namespace mdbd

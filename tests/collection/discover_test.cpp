@@ -139,6 +139,10 @@ TEST_CASE("within means at or below") {
   CHECK_FALSE(is_within("/a/bc", roots));
   CHECK_FALSE(is_within("/a", roots));
   CHECK(is_within("/a", std::vector<std::string>{"/"}));
+  const std::vector<std::string> part{"/a/b.step"};
+  CHECK(is_within("/a/b.step#2", part));
+  CHECK_FALSE(is_within("/a/b.step#b", part));
+  CHECK_FALSE(is_within("/a/b.step", std::vector<std::string>{"/a/b.step#2"}));
 }
 
 TEST_CASE("of changed paths what is gone, or no model, is a root and nothing else") {
@@ -164,4 +168,16 @@ TEST_CASE("paths that do not exist can be passed over, as no roots") {
   const Discovery found = discover_existing(paths);
   CHECK(found.roots == std::vector<std::string>{model});
   CHECK(found.files.size() == 1);
+}
+
+TEST_CASE("one solid of a CAD file may be asked for, and a file may have a # in its name") {
+  test::TemporaryDirectory folder;
+  const fs::path part = folder.write("a#1.step", "123");
+  const Discovery found = discover_one(part.string() + "#2");
+  REQUIRE(found.files.size() == 1);
+  CHECK(found.files[0].path == part.string() + "#2");
+  CHECK(found.files[0].size == 3);
+  folder.write("a.step#2", "");  // no model
+  CHECK(names(discover_one(folder.path()), folder.path()) == std::vector<std::string>{"a#1.step"});
+  CHECK_THROWS_AS(discover_one(folder / "b.step#2"), IoError);
 }

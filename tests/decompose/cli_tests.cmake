@@ -7,6 +7,10 @@ mdbd_cli_test(NAME decompose/csv COMMAND mdbd-decompose ${cube} --balls 9
   REGEXP "^x,y,z,r\n${number},${number},${number},0\\.(5|50*1|49999[0-9]*)\n(${number},${number},${number},0\\.13397[0-9]*\n)+$")
 mdbd_cli_test(NAME decompose/xyzr COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 -o balls.XYZR && cat balls.XYZR"
   REGEXP "^${number} ${number} ${number} ${number}\n$")
+mdbd_cli_test(NAME decompose/one_solid SETUP "'$<TARGET_FILE:write_assembly>' a.step 2"
+  COMMAND mdbd-decompose "a.step#2" --balls 1 REGEXP "^x,y,z,r\n20\.5,[^\n]*,0\.5\n$")
+mdbd_cli_test(NAME decompose/missing_solid EXIT 1 SETUP "'$<TARGET_FILE:write_assembly>' a.step 2"
+  COMMAND mdbd-decompose "a.step#3" REGEXP "a\.step#3: has no solid 3")
 mdbd_cli_test(NAME decompose/json COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 9 --tolerance 0.01 -o balls.json && cat balls.json"
   REGEXP "^{" "\"contacts\":..0,1.," "\"certificate\":{\"containment_violation\"" "\"radius_tolerance\":0\\.01" "\"faces\":12" "}\n$")
 mdbd_cli_test(NAME decompose/nothing_beside_the_output COMMAND sh -c "$<TARGET_FILE:mdbd-decompose> '${cube}' --balls 1 -o balls.csv && ls -A"

@@ -78,6 +78,24 @@ mdbd_cli_test(NAME index/interrupted EXIT 1 SETUP "${copy_models}"
     sleep 1 && kill -INT $! && wait $!"
   REGEXP "interrupted: 1 model left; run the same command to continue")
 
+
+set(assembly "'$<TARGET_FILE:write_assembly>'")
+mdbd_cli_test(NAME index/per_solid SETUP "mkdir parts && ${assembly} parts/a.step 2 && ${assembly} parts/one.igs 1"
+  COMMAND sh -c "${index} parts --per-solid && ${index} parts && \
+    '$<TARGET_FILE:mdbd-query>' 'parts/a.step#2' --same-size && '$<TARGET_FILE:mdbd-query>' parts/a.step#1 parts/a.step#2 --csv"
+  REGEXP "^indexed +3\n" "unchanged +3\n" "distance +model\n +1 +0\.000000 +parts/a\.step#2\n *[^\n0-9]"
+         "parts/a\.step#2,1,[^\n]*parts/a\.step#2,0,0,0,1\.5\n")
+mdbd_cli_test(NAME index/per_solid_changed SETUP "${assembly} a.step 3"
+  COMMAND sh -c "${index} a.step --per-solid && ${assembly} a.step 2 && ${index} a.step && rm a.step && ${index} . --prune"
+  REGEXP "^indexed +3\n" "\nindexed +2\nunchanged +0\nfailed +0\nremoved +1\n" "removed +2\n")
+mdbd_cli_test(NAME index/whole_again SETUP "${assembly} a.step 2"
+  COMMAND sh -c "${index} a.step --per-solid && ${index} a.step --whole && ${index} a.step"
+  REGEXP "^indexed +2\n" "indexed +1\nunchanged +0\nfailed +0\nremoved +2\n" "\nindexed +0\nunchanged +1\n")
+mdbd_cli_test(NAME index/per_solid_dry_run SETUP "${assembly} a.step 2"
+  COMMAND sh -c "${index} a.step --per-solid --dry-run && ! test -e mdbd.db" REGEXP "to index +2\n")
+mdbd_cli_test(NAME index/per_solid_and_whole COMMAND mdbd-index . --per-solid --whole EXIT 2 REGEXP "excludes")
+mdbd_cli_test(NAME index/one_solid EXIT 1 SETUP "${assembly} a.step 2"
+  COMMAND mdbd-index "a.step#2" REGEXP "a\.step#2: is one solid; name its file, with --per-solid")
 mdbd_cli_test(NAME index/unit
   COMMAND sh -c "${index} '${models}' --unit inch --quiet && grep -a -o 'unit.:.inch' mdbd.db"
   REGEXP "unit.:.inch")

@@ -122,9 +122,11 @@ namespace {
 /// radii of mdbd-100 have `radius`.
 class Line {
  public:
-  void add(const std::string& name, float place, float radius, const char* representation) {
+  void add(const std::string& name, float place, float radius, const char* representation,
+           const char* hash = "") {
     ShapeRecord record;
     record.path = "/" + name;
+    record.content_hash = hash;
     record.representation = representation;
     record.scale = 1.0;
     ShapeData data{.balls = {{{0, 0, 0}, 1.0}},
@@ -136,10 +138,12 @@ class Line {
   }
   void add_mesh(const std::string& name, float place) { add(name, place, 0.5F, "mesh"); }
 
+  DuplicateReport find() const { return find_duplicates(*store_); }
+
   /// The paths of the groups.
   std::vector<std::vector<std::string>> groups() const {
     std::vector<std::vector<std::string>> result;
-    for (const DuplicateGroup& group : find_duplicates(*store_).groups) {
+    for (const DuplicateGroup& group : find().groups) {
       auto& paths = result.emplace_back();
       for (const ShapeRecord& model : group.models) paths.push_back(model.path);
       std::ranges::sort(paths);
@@ -192,4 +196,21 @@ TEST_CASE("different shapes make different groups, and single ones none") {
   CHECK(report.groups[1].models[0].path == "/torus.off");
   CHECK(report.groups[1].models[1].path == "/torus.ply");
   CHECK(Folder().find().groups.empty());
+}
+
+TEST_CASE("solids of one file have the same bytes only if they are the same solid") {
+  Line line;
+  for (const char* name : {"a.step", "a.step#1", "a.step#2", "b.step#1"}) {
+    line.add(name, 0.0F, 0.5F, "B-rep", "bytes");
+  }
+  const DuplicateReport report = line.find();
+  REQUIRE(report.groups.size() == 1);
+  const DuplicateGroup& group = report.groups.front();
+  REQUIRE(group.pairs.size() == 6);
+  for (const DuplicatePair& pair : group.pairs) {
+    const std::string first = group.models[pair.first].path;
+    const std::string second = group.models[pair.second].path;
+    INFO(first << " " << second);
+    CHECK(pair.has_same_bytes == (first.ends_with("#1") && second.ends_with("#1")));
+  }
 }
