@@ -56,8 +56,9 @@ class DistanceField {
   /// equal. A representation that does not know it has the centre of the enclosing ball.
   virtual Eigen::Vector3d centroid() const { return enclosing_ball().center; }
 
-  /// The d of the paper: 3, or 2 for a domain in the plane z = 0. Its balls are discs centred there,
-  /// so that it is measured at points of the plane alone, and its closest points are there, too.
+  /// The d of the paper: 3, or 2 for a domain in the plane z = 0. Its balls are discs centred
+  /// there, so that it is measured at points of the plane alone, and its closest points are there,
+  /// too.
   virtual int dimension() const { return 3; }
 
   /// Whether the boundary is closed, so that the sign changes at the boundary alone.
