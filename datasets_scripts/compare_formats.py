@@ -3,7 +3,7 @@
 relative to the nearest other part?
 
     mdbd-index models --db parts.db
-    compare_formats.py parts.db step stl
+    compare_formats.py parts.db step stl [--signature mdbd-fused]
 
 Parts are files of the same name, but for the ending, in the same folder. The distances are those of
 mdbd-query, which must be on PATH or in $MDBD_QUERY.
@@ -17,10 +17,11 @@ import subprocess
 import sys
 
 
-def query(database, identifier):
-    """All models of the database, the nearest first: pairs of path and distance."""
+def query(database, identifier, signature="mdbd-100"):
+    """All models of the database, the nearest first: their ids, paths and distances."""
     program = os.environ.get("MDBD_QUERY", "mdbd-query")
-    command = [program, "--id", str(identifier), "--top", "1000000", "--json", "--db", database]
+    command = [program, "--id", str(identifier), "--top", "1000000", "--json", "--db", database,
+               "--signature", signature]
     answer = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
     return [(match["id"], pathlib.Path(match["path"]), match["distance"])
             for match in answer["matches"]]
@@ -43,7 +44,7 @@ def first_id(database):
     sys.exit("no model in the database")
 
 
-def compare(database, left, right):
+def compare(database, left, right, signature):
     """For each part in both formats: the rank of its twin, its distance, and that of the nearest
     other part."""
     twins = find_models(database, right)
@@ -51,7 +52,7 @@ def compare(database, left, right):
         if part not in twins:
             continue
         matches = [(path.with_suffix(""), distance)
-                   for _, path, distance in query(database, identifier)
+                   for _, path, distance in query(database, identifier, signature)
                    if path.suffix.lower() == "." + right]
         rank = next(i for i, (path, _) in enumerate(matches, 1) if path == part)
         displacement = next(distance for path, distance in matches if path == part)
@@ -65,8 +66,9 @@ def main():
     parser.add_argument("database")
     parser.add_argument("left")
     parser.add_argument("right")
+    parser.add_argument("--signature", default="mdbd-100")
     arguments = parser.parse_args()
-    rows = list(compare(arguments.database, arguments.left, arguments.right))
+    rows = list(compare(arguments.database, arguments.left, arguments.right, arguments.signature))
     if not rows:
         sys.exit("no part in both formats")
     print("rank,displacement,nearest_other,part")
