@@ -49,8 +49,8 @@ struct Scene {
 };
 
 // Checks bounds at random points of a cube.
-void check(const CubeBounds& bounds, const Scene& scene, const Eigen::Vector3d& center,
-           double half_size, std::mt19937& random) {
+void check_bounds(const CubeBounds& bounds, const Scene& scene, const Eigen::Vector3d& center,
+                  double half_size, std::mt19937& random) {
   REQUIRE(bounds.count == scene.witnesses.size());
   for (int i = 0; i < 30; ++i) {
     const Eigen::Vector3d offset = random_point(random, half_size);
@@ -75,14 +75,15 @@ TEST_CASE("what witnesses allow is nowhere above its bounds") {
     const Scene scene(random, 1 + round % WitnessLanes::capacity);
     const Eigen::Vector3d center = random_point(random, 1.0);
     for (const double half_size : {1.0, 0.1, 0.001}) {
-      check(bound_over_cube(scene.lanes(), preference(), center, half_size), scene, center,
-            half_size, random);
+      check_bounds(bound_over_cube(scene.lanes(), preference(), center, half_size), scene, center,
+                   half_size, random);
       const OctantBounds octants(scene.lanes(), center, half_size);
       for (int octant = 0; octant < 8; ++octant) {
         const Eigen::Vector3d sides(octant & 1, octant >> 1 & 1, octant >> 2);
         const Eigen::Vector3d middle =
             center + half_size * (sides - Eigen::Vector3d::Constant(0.5));
-        check(octants.of_octant(octant, preference()), scene, middle, 0.5 * half_size, random);
+        check_bounds(octants.of_octant(octant, preference()), scene, middle, 0.5 * half_size,
+                     random);
       }
     }
   }

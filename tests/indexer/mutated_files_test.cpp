@@ -32,7 +32,7 @@ int mutation_count() {
 }
 
 /// @param crashes whether a reader may crash, which costs its process
-void index_mutated_files(const std::vector<FilesOfReader>& readers, bool crashes) {
+void check_mutated_files(const std::vector<FilesOfReader>& readers, bool crashes) {
   Recipe recipe;
   recipe.balls = 2;
   recipe.radius_tolerance = 0.1;
@@ -78,21 +78,21 @@ void index_mutated_files(const std::vector<FilesOfReader>& readers, bool crashes
 }  // namespace
 
 TEST_CASE("mutated meshes cost themselves and nothing else") {
-  index_mutated_files(sound_meshes(), false);
+  check_mutated_files(sound_meshes(), false);
 }
 
 TEST_CASE("mutated point clouds cost themselves and nothing else") {
-  index_mutated_files(sound_clouds(), false);
+  check_mutated_files(sound_clouds(), false);
 }
 
 TEST_CASE("mutated scenes cost themselves and nothing else") {
-  index_mutated_files(sound_scenes(), true);
+  check_mutated_files(sound_scenes(), true);
 }
 
 TEST_CASE("mutated drawings cost themselves and nothing else") {
-  index_mutated_files(sound_drawings(), false);
+  check_mutated_files(sound_drawings(), false);
 }
 
 TEST_CASE("mutated solids cost themselves and nothing else") {
-  index_mutated_files(sound_solids(), false);
+  check_mutated_files(sound_solids(), false);
 }
