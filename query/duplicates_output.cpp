@@ -19,6 +19,11 @@ std::string shown_size(double ratio) {
   return fmt::format("x {:.4g}", ratio);
 }
 
+std::string shown_deviation(const DuplicatePair& pair) {
+  if (!pair.deviation) return "";
+  return fmt::format(", surfaces within {:.2g} % of R", 100.0 * *pair.deviation);
+}
+
 std::string shown_hand(Hand hand) {
   switch (hand) {
     case Hand::same:
@@ -31,6 +36,10 @@ std::string shown_hand(Hand hand) {
       return "hand unclear";
   }
   return "";
+}
+
+nlohmann::ordered_json to_json(std::optional<double> number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
 }
 
 nlohmann::ordered_json to_json(const DuplicateGroup& group) {
@@ -48,6 +57,7 @@ nlohmann::ordered_json to_json(const DuplicateGroup& group) {
                      {"second", group.models[pair.second].id},
                      {"distance", pair.distance},
                      {"radii_distance", pair.radii_distance},
+                     {"deviation", to_json(pair.deviation)},
                      {"scale_ratio", pair.scale_ratio},
                      {"hand", to_string(pair.hand)},
                      {"same_bytes", pair.has_same_bytes}});
@@ -65,10 +75,10 @@ std::string format_duplicates_table(const DuplicateReport& report,
                    shown_path(group.models.front().path, directory));
     for (const DuplicatePair& pair : group.pairs) {
       if (pair.first != 0) continue;
-      fmt::format_to(std::back_inserter(text), "      {}\n        {}, distance {:.4f}, {}, {}\n",
+      fmt::format_to(std::back_inserter(text), "      {}\n        {}, distance {:.4f}, {}, {}{}\n",
                      shown_path(group.models[pair.second].path, directory),
                      pair.has_same_bytes ? "same bytes" : "other bytes", pair.distance,
-                     shown_size(pair.scale_ratio), shown_hand(pair.hand));
+                     shown_size(pair.scale_ratio), shown_hand(pair.hand), shown_deviation(pair));
     }
   }
   return text;
@@ -84,17 +94,19 @@ std::string format_duplicates_json(const DuplicateReport& report, double thresho
 
 std::string format_duplicates_csv(const DuplicateReport& report) {
   std::string csv =
-      "group,keep,first,first_path,second,second_path,distance,radii_distance,scale_ratio,hand,"
-      "same_bytes\n";
+      "group,keep,first,first_path,second,second_path,distance,radii_distance,deviation,scale_"
+      "ratio,"
+      "hand,same_bytes\n";
   std::size_t number = 0;
   for (const DuplicateGroup& group : report.groups) {
     ++number;
     for (const DuplicatePair& pair : group.pairs) {
       const ShapeRecord& first = group.models[pair.first];
       const ShapeRecord& second = group.models[pair.second];
-      fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{}\n", number,
+      fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{}\n", number,
                      group.models.front().id, first.id, csv_field(first.path), second.id,
-                     csv_field(second.path), pair.distance, pair.radii_distance, pair.scale_ratio,
+                     csv_field(second.path), pair.distance, pair.radii_distance,
+                     pair.deviation ? fmt::to_string(*pair.deviation) : "", pair.scale_ratio,
                      to_string(pair.hand), pair.has_same_bytes ? "yes" : "no");
     }
   }

@@ -1,10 +1,13 @@
 #include <cstdio>
+#include <span>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/program.h"
+#include "cli/progress_bar.h"
 #include "features/shape_io/output_file.h"
+#include "query/compare_surfaces.h"
 #include "query/duplicates_output.h"
 #include "query/query_arguments.h"
 #include "query/query_output.h"
@@ -36,8 +39,33 @@ void print_note(const mdbd::QueryAnswer& answer, bool is_filtered) {
   print_completed(answer.completed);
 }
 
+mdbd::DuplicateReport search_duplicates(const mdbd::ShapeStore& store,
+                                        const mdbd::QueryArguments& arguments) {
+  mdbd::DuplicateOptions options = arguments.duplicates;
+  mdbd::ProgressBar progress(stderr);
+  if (!arguments.has_no_surfaces) {
+    options.compare_surfaces = [&](std::span<const mdbd::ModelPair> pairs) {
+      return mdbd::compare_surfaces(store, pairs, arguments.limits, progress);
+    };
+  }
+  return mdbd::find_duplicates(store, options);
+}
+
+void print_measured(const mdbd::DuplicateReport& report) {
+  if (report.measured > 0) {
+    fmt::print(stderr, "Surfaces of {} doubtful pair{} were compared.\n", report.measured,
+               report.measured == 1 ? "" : "s");
+  }
+  if (report.not_measured > 0) {
+    fmt::print(stderr,
+               "Surfaces of {} doubtful pair{} could not be compared: files are gone, have changed "
+               "or cannot be read.\n",
+               report.not_measured, report.not_measured == 1 ? "" : "s");
+  }
+}
+
 ExitCode find_duplicates(const mdbd::ShapeStore& store, const mdbd::QueryArguments& arguments) {
-  const mdbd::DuplicateReport report = mdbd::find_duplicates(store, arguments.duplicates);
+  const mdbd::DuplicateReport report = search_duplicates(store, arguments);
   if (arguments.is_json) {
     fmt::print("{}", mdbd::format_duplicates_json(report, arguments.duplicates.threshold));
     return ExitCode::done;
@@ -49,6 +77,7 @@ ExitCode find_duplicates(const mdbd::ShapeStore& store, const mdbd::QueryArgumen
   fmt::print(stderr, "{} group{} of the same shape among {} model{}.\n", report.groups.size(),
              report.groups.size() == 1 ? "" : "s", report.compared,
              report.compared == 1 ? "" : "s");
+  print_measured(report);
   print_completed(report.completed);
   return ExitCode::done;
 }

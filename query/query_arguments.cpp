@@ -52,11 +52,17 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "Show groups of models of the same shape, rescaled, mirrored, turned, decimated "
                    "or in another format, with the evidence for each; nothing is deleted. Models "
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
-                   "of that by the radii of mdbd-100");
+                   "of that by the radii of mdbd-100, or if their surfaces, laid upon each other, "
+                   "deviate by at most 1 % of R; for that, files of near models are read");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
                             "--html", "--same-size", "--unit", "--approx"}) {
     duplicates->excludes(app.get_option(other));
   }
+  app.add_flag(
+         "--no-surfaces", arguments.has_no_surfaces,
+         "Find duplicates by what is in the database alone: faster, but decimated and scanned "
+         "copies may be missed")
+      ->needs(duplicates);
 }
 
 }  // namespace

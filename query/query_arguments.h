@@ -23,6 +23,7 @@ struct QueryArguments {
   ProcessLimits limits;         ///< of the process that reads a model
   bool has_duplicates = false;  ///< asked for, in place of a query
   DuplicateOptions duplicates;
+  bool has_no_surfaces = false;  ///< duplicates by signatures alone
   bool has_no_cache = false;
   bool is_explained = false;
   std::filesystem::path html;  ///< the page to write; empty: none
