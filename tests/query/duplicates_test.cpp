@@ -1,8 +1,11 @@
 #include "query/duplicates.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
-#include <tuple>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -138,7 +141,23 @@ class Line {
   }
   void add_mesh(const std::string& name, float place) { add(name, place, 0.5F, "mesh"); }
 
-  DuplicateReport find() const { return find_duplicates(*store_); }
+  /// What a comparison of two surfaces gives; those that are not named cannot be compared.
+  void set_deviation(const std::string& first, const std::string& second,
+                     std::optional<double> deviation) {
+    deviations_["/" + first + " /" + second] = deviation;
+  }
+
+  DuplicateReport find() const {
+    asked_.clear();
+    return find_duplicates(*store_, {.compare_surfaces = [&](std::span<const ModelPair> pairs) {
+      std::vector<std::optional<double>> result;
+      for (const ModelPair& pair : pairs) result.push_back(compare(pair));
+      return result;
+    }});
+  }
+
+  /// The pairs whose surfaces the last call of find() compared.
+  const std::vector<std::string>& asked() const { return asked_; }
 
   /// The paths of the groups.
   std::vector<std::vector<std::string>> groups() const {
@@ -152,33 +171,78 @@ class Line {
   }
 
  private:
+  std::optional<double> compare(const ModelPair& pair) const {
+    asked_.push_back(store_->find(pair.first)->path + " " + store_->find(pair.second)->path);
+    const auto found = deviations_.find(asked_.back());
+    return found != deviations_.end() ? found->second : std::nullopt;
+  }
+
   TemporaryDirectory directory_;
   std::unique_ptr<ShapeStore> store_ = open_store(directory_ / "a.db");
+  std::map<std::string, std::optional<double>> deviations_;
+  mutable std::vector<std::string> asked_;
 };
 
 using Groups = std::vector<std::vector<std::string>>;
 
 }  // namespace
 
-TEST_CASE("a cloud joins a group that is far nearer than any other") {
-  Line line;
-  line.add_mesh("a1", 0.0F);
-  line.add_mesh("a2", 0.05F);
-  line.add_mesh("b", 0.36F);
-  line.add("cloud", 0.16F, 0.53F, "point cloud");  // 0.11 from a2, 0.2 from b
-  CHECK(line.groups() == Groups{{"/a1", "/a2"}});
-  line.add_mesh("a3", 0.08F);  // 0.08 and 0.2: clear
-  CHECK(line.groups() == Groups{{"/a1", "/a2", "/a3", "/cloud"}});
-}
-
-TEST_CASE("a mesh, or a cloud that is too far or has other radii, joins none") {
+TEST_CASE("surfaces join what signatures leave apart, as far as they are near each other") {
   Line line;
   line.add_mesh("a", 0.0F);
-  const auto [place, radius, representation] =
-      GENERATE(std::tuple(0.11F, 0.5F, "mesh"), std::tuple(0.13F, 0.5F, "point cloud"),
-               std::tuple(0.11F, 0.54F, "point cloud"));
-  line.add("other", place, radius, representation);
+  line.add_mesh("b", 0.4F);
   CHECK(line.groups().empty());
+  line.set_deviation("a", "b", 0.009);
+  CHECK(line.groups() == Groups{{"/a", "/b"}});
+  CHECK(line.find().groups[0].pairs[0].deviation == 0.009);
+  CHECK(line.find().measured == 1);
+  line.set_deviation("a", "b", 0.011);
+  CHECK(line.groups().empty());
+  line.set_deviation("a", "b", std::nullopt);
+  CHECK(line.groups().empty());
+  CHECK(line.find().measured == 0);
+  CHECK(line.find().not_measured == 1);
+}
+
+TEST_CASE("surfaces are not asked where the distance or the largest radius says no") {
+  Line line;
+  line.add_mesh("a", 0.0F);
+  const auto [place, radius] = GENERATE(std::pair(0.5F, 0.5F), std::pair(0.4F, 0.53F));
+  line.add("b", place, radius, "mesh");
+  line.set_deviation("a", "b", 0.0);
+  CHECK(line.groups().empty());
+  CHECK(line.asked().empty());
+}
+
+TEST_CASE("a model whose surface deviates leaves its group, and joins its like") {
+  Line line;
+  for (const char* name : {"a1", "a2", "b1", "b2"}) line.add_mesh(name, 0.0F);
+  line.set_deviation("a1", "a2", 0.001);
+  line.set_deviation("a1", "b1", 0.02);
+  line.set_deviation("a1", "b2", 0.03);
+  line.set_deviation("b1", "b2", 0.0);
+  CHECK(line.groups() == Groups{{"/a1", "/a2"}, {"/b1", "/b2"}});
+  const std::vector<std::string> asked = line.asked();
+  CHECK(std::ranges::count(asked, "/a1 /b1") == 1);
+  line.set_deviation("a1", "b2", std::nullopt);  // then signatures have the last word
+  CHECK(line.groups() == Groups{{"/a1", "/a2", "/b2"}});
+}
+
+TEST_CASE("files of the same bytes need no comparison") {
+  Line line;
+  line.add("a", 0.0F, 0.5F, "mesh", "bytes");
+  line.add("b", 0.0F, 0.5F, "mesh", "bytes");
+  CHECK(line.groups() == Groups{{"/a", "/b"}});
+  CHECK(line.asked().empty());
+}
+
+TEST_CASE("a surface is kept rather than samples of it") {
+  Line line;
+  line.add("a", 0.0F, 0.5F, "point cloud");
+  line.add("later", 0.0F, 0.5F, "mesh");
+  const DuplicateReport report = line.find();
+  REQUIRE(report.groups.size() == 1);
+  CHECK(report.groups[0].models[0].path == "/later");
 }
 
 TEST_CASE("different shapes make different groups, and single ones none") {
