@@ -87,8 +87,11 @@ std::string format_duplicates_table(const DuplicateReport& report,
 std::string format_duplicates_json(const DuplicateReport& report, double threshold) {
   nlohmann::ordered_json groups = nlohmann::ordered_json::array();
   for (const DuplicateGroup& group : report.groups) groups.push_back(to_json(group));
-  const nlohmann::ordered_json document = {
-      {"compared", report.compared}, {"threshold", threshold}, {"groups", groups}};
+  const nlohmann::ordered_json document = {{"compared", report.compared},
+                                           {"threshold", threshold},
+                                           {"surfaces_compared", report.measured},
+                                           {"surfaces_not_compared", report.not_measured},
+                                           {"groups", groups}};
   return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 

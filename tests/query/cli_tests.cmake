@@ -87,12 +87,14 @@ query_test(same_size_of_none COMMAND mdbd-query small.off --db ${database} --sam
   REGEXP "^No model of the database passes the filters\\.\n$")
 query_test(duplicates COMMAND mdbd-query --duplicates --db ${database}
   REGEXP "^0 groups of the same shape among 3 models\\.\n$")
+query_test(duplicates_by_surfaces COMMAND mdbd-query --duplicates --db ${database} --threshold 1000
+  REGEXP "^0 groups of the same shape among 3 models\\.\nSurfaces of [23] doubtful pairs were compared\\.\n$")
 query_test(duplicates_no_surfaces COMMAND mdbd-query --duplicates --no-surfaces --db ${database}
   --threshold 1000 REGEXP "1 group of the same shape among 3 models\\.\n$")
 query_test(no_surfaces_alone COMMAND mdbd-query a.off --no-surfaces EXIT 2 REGEXP "requires")
-query_test(duplicates_json COMMAND mdbd-query --duplicates --db ${database} --json --threshold 100
-  REGEXP "\"compared\": 3,\n *\"threshold\": 100.0,\n *\"groups\": .\n *{\n *\"keep\": [0-9]+,")
-query_test(duplicates_csv COMMAND mdbd-query --duplicates --db ${database} --csv --threshold 100
+query_test(duplicates_json COMMAND mdbd-query --duplicates --no-surfaces --db ${database} --json --threshold 100
+  REGEXP "\"compared\": 3,\n *\"threshold\": 100.0,\n *\"surfaces_compared\": 0,\n *\"surfaces_not_compared\": 0,\n *\"groups\": .\n *{\n *\"keep\": [0-9]+,")
+query_test(duplicates_csv COMMAND mdbd-query --duplicates --no-surfaces --db ${database} --csv --threshold 100
   REGEXP "^group,keep,first,first_path,second,second_path,distance,radii_distance,deviation,scale_ratio,hand,same_bytes\n1,")
 query_test(duplicates_of_a_model COMMAND mdbd-query a.off --duplicates EXIT 2 REGEXP "excludes")
 
