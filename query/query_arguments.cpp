@@ -54,7 +54,7 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
-                            "--html", "--same-size", "--unit", "--approx"}) {
+                            "--html", "--same-size", "--unit", "--approx", "--walk-weight"}) {
     duplicates->excludes(app.get_option(other));
   }
 }
@@ -83,6 +83,11 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
       "Neither read nor write the files DATABASE.*.vectors, from which vectors of large "
       "collections are read faster than from the database; they may be removed at any time");
   add_signature_option(app, options.signature);
+  add_number(
+      app, "--walk-weight", options.walk_weight, 0.0, 1e6,
+      "Weight of the walk sums beside the radii in the distance by mdbd-100, in place of the "
+      "database's, 1; less is steadier where meshes are coarse")
+      ->type_name("X");
   add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of a MODEL");
   add_size_option(app, "--model-memory", arguments.limits.memory, "Memory budget of a MODEL");
   app.add_flag("--chirality", options.has_chirality,
