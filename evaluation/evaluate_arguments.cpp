@@ -41,6 +41,10 @@ void add_common_options(CLI::App& app, EvaluateArguments& arguments, const Recip
   add_signature_option(app, arguments.signature);
   add_number(app, "--balls", arguments.balls, 1, 100'000, "Balls of a model")
       ->default_str(std::to_string(defaults.balls));
+  add_number(app, "--walk-weight", arguments.walk_weight, 0.0, 1e6,
+             "Weight of the walk sums beside the radii in the distance by mdbd-100")
+      ->type_name("X")
+      ->default_str(CLI::detail::to_string(defaults.walk_weight));
   add_denoise_option(app, arguments.denoise);
   add_solidify_option(app, arguments.solidify);
   add_number(app, "--jobs", arguments.cache.jobs, 1, 1024, "Models computed at once")
@@ -66,6 +70,7 @@ CLI::App* add_command(CLI::App& app, EvaluateArguments& arguments, const char* n
     }
     arguments.recipe = defaults;
     arguments.recipe.balls = arguments.balls.value_or(defaults.balls);
+    arguments.recipe.walk_weight = arguments.walk_weight.value_or(defaults.walk_weight);
     arguments.recipe.denoise = arguments.denoise.value_or(defaults.denoise);
     arguments.recipe.solidify = arguments.solidify.value_or(defaults.solidify);
     arguments.make_report = make;

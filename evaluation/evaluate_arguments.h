@@ -30,6 +30,7 @@ struct EvaluateArguments {
   std::uint64_t seed = 1;
   std::size_t sample_size = 0;  ///< models of each class; 0 takes all
   std::optional<int> balls;
+  std::optional<double> walk_weight;
   std::optional<std::string> denoise;
   std::optional<std::string> solidify;
   CacheOptions cache;

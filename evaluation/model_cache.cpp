@@ -50,7 +50,9 @@ void create_folder(const fs::path& folder) {
 
 std::unique_ptr<ShapeStore> open_cache(const fs::path& folder, const Recipe& recipe) {
   create_folder(folder);
-  return open_store(database_path(folder, recipe), recipe);
+  Recipe stored = recipe;
+  stored.walk_weight = Recipe{}.walk_weight;  // it changes no number that is stored
+  return open_store(database_path(folder, stored), stored);
 }
 
 /// Whether a record still says what computing it again would say.
@@ -178,9 +180,10 @@ Variant clean_variant() { return {.name = "", .load = load_shape}; }
 
 ModelCache::ModelCache(const CacheOptions& options, const Recipe& recipe,
                        EvaluationProgress& progress)
-    : options_(options), store_(open_cache(options.folder, recipe)), progress_(progress) {}
-
-const Recipe& ModelCache::recipe() const { return store_->recipe(); }
+    : options_(options),
+      recipe_(recipe),
+      store_(open_cache(options.folder, recipe)),
+      progress_(progress) {}
 
 DescribedModels ModelCache::describe(std::span<const LabelledModel> models,
                                      const Variant& variant) {

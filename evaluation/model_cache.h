@@ -82,7 +82,7 @@ class ModelCache {
   /// @throws StoreError, IoError
   ModelCache(const CacheOptions& options, const Recipe& recipe, EvaluationProgress& progress);
 
-  const Recipe& recipe() const;
+  const Recipe& recipe() const { return recipe_; }
 
   /// Describes models under a variant.
   /// @throws Interrupted, StoreError, std::system_error if no process can be started
@@ -113,6 +113,7 @@ class ModelCache {
   void add_failure(EvaluationFailure failure);
 
   CacheOptions options_;
+  Recipe recipe_;
   std::unique_ptr<ShapeStore> store_;
   EvaluationProgress& progress_;
   std::vector<EvaluationFailure> failures_;

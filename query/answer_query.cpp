@@ -31,15 +31,16 @@ std::vector<float> stored_chirality(const ShapeStore& store, std::int64_t id) {
 }
 
 std::unique_ptr<const SignatureMetric> make_base_metric(const Recipe& recipe,
-                                                        SignatureKind signature) {
-  return signature == SignatureKind::mdbd_100
-             ? similarity_metric(recipe.descriptor_balls, recipe.walk_weight)
+                                                        const QueryOptions& options) {
+  return options.signature == SignatureKind::mdbd_100
+             ? similarity_metric(recipe.descriptor_balls,
+                                 options.walk_weight.value_or(recipe.walk_weight))
              : fused_metric();
 }
 
 std::unique_ptr<const SignatureMetric> make_metric(const Recipe& recipe,
                                                    const QueryOptions& options) {
-  std::unique_ptr<const SignatureMetric> metric = make_base_metric(recipe, options.signature);
+  std::unique_ptr<const SignatureMetric> metric = make_base_metric(recipe, options);
   return options.has_chirality ? chiral_metric(std::move(metric)) : std::move(metric);
 }
 
@@ -70,7 +71,7 @@ Vectors fill_cache(const ShapeStore& store, const QueryOptions& options,
     return vectors;
   }
   const std::vector<MetricBlock> blocks =
-      make_base_metric(store.recipe(), options.signature)->blocks(vectors.table.dimension());
+      make_base_metric(store.recipe(), options)->blocks(vectors.table.dimension());
   vectors.sketches = make_sketches(vectors.table, blocks);
   write_vector_cache(cache, key, vectors.table, *vectors.sketches);
   return vectors;
@@ -82,6 +83,8 @@ std::optional<Vectors> load_cached(const ShapeStore& store, const QueryOptions& 
                                    std::size_t& completed) {
   // Scales in the cache are those of the files.
   if (options.cached_database.empty() || !options.unit.empty()) return std::nullopt;
+  // Its sketches bound the distance of the recipe.
+  if (options.walk_weight) return std::nullopt;
   const std::string key = vector_cache_key(store, options.signature);
   if (key.empty()) return std::nullopt;
   const std::filesystem::path cache = vector_cache_path(options.cached_database, options.signature);

@@ -30,6 +30,8 @@ struct QueryOptions {
       false;  ///< mirrored shapes are told apart, at the price of reading all balls
   std::size_t differences = 0;  ///< how many of the numbers that differ the most are told
   double threshold = std::numeric_limits<double>::infinity();  ///< the largest distance
+  /// The weight of the walk sums in the distance by mdbd-100 in place of the recipe's, at least 0.
+  std::optional<double> walk_weight = std::nullopt;
   CollectionFilter filter = {};
   /// Sizes are in this unit (length_units): those of models whose unit is recorded are converted,
   /// others are taken to be in it. Empty: sizes are compared as they are.

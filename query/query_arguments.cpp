@@ -55,7 +55,7 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "of that by the radii of mdbd-100, or if their surfaces, laid upon each other, "
                    "deviate by at most 1 % of R; for that, files of near models are read");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
-                            "--html", "--same-size", "--unit", "--approx"}) {
+                            "--html", "--same-size", "--unit", "--approx", "--walk-weight"}) {
     duplicates->excludes(app.get_option(other));
   }
   app.add_flag(
@@ -89,6 +89,11 @@ void declare_options(CLI::App& app, QueryArguments& arguments) {
       "Neither read nor write the files DATABASE.*.vectors, from which vectors of large "
       "collections are read faster than from the database; they may be removed at any time");
   add_signature_option(app, options.signature);
+  add_number(
+      app, "--walk-weight", options.walk_weight, 0.0, 1e6,
+      "Weight of the walk sums beside the radii in the distance by mdbd-100, in place of the "
+      "database's, 1; less is steadier where meshes are coarse")
+      ->type_name("X");
   add_duration_option(app, "--model-time", arguments.limits.time, "Time budget of a MODEL");
   add_size_option(app, "--model-memory", arguments.limits.memory, "Memory budget of a MODEL");
   app.add_flag("--chirality", options.has_chirality,

@@ -147,6 +147,16 @@ TEST_CASE("variants and recipes are kept apart") {
   }
 }
 
+TEST_CASE("a recipe that differs in the weight of the walk alone finds what is there") {
+  Bench bench;
+  bench.write("a/1.off", "1");
+  const DescribedModels first = bench.describe("");
+  bench.recipe.walk_weight = 0.35;
+  CHECK(are_equal(first, bench.describe("")));
+  CHECK(bench.computed() == 0);
+  CHECK(bench.open().recipe().walk_weight == 0.35);
+}
+
 TEST_CASE("a changed file is described again, a touched one is not") {
   Bench bench;
   bench.write("a/1.off", "1");

@@ -59,6 +59,25 @@ TEST_CASE("mdbd-100 is what is compared unless something else is asked for") {
   CHECK(answer.result.matches.at(1).distance == Approx(4 * std::sqrt(50.0)));
 }
 
+TEST_CASE("the weight of the walk can be another than the recipe's, with a cache beside or not") {
+  const TemporaryDirectory folder;
+  const auto store = open_store(folder / "a.db");
+  const std::int64_t id = put_model(*store, "/a.off", 1, false);
+  put_model(*store, "/b.off", 3, false);
+  QueryOptions options{.count = 2, .least_cached_models = 1};
+  if (GENERATE(false, true)) options.cached_database = folder / "a.db";
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    for (const double weight : {0.0, 0.35, 3.0}) {
+      options.walk_weight = weight;
+      CHECK(query_by_id(*store, id, options).result.matches.at(1).distance ==
+            Approx(2 * std::sqrt(50.0) * (1.0 + weight)));
+    }
+    options.walk_weight.reset();
+    CHECK(query_by_id(*store, id, options).result.matches.at(1).distance ==
+          Approx(4 * std::sqrt(50.0)));
+  }
+}
+
 TEST_CASE(
     "with a unit sizes are comparable, and those of models without one are taken to be in it") {
   const TemporaryDirectory folder;
