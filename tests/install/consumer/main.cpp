@@ -1,4 +1,6 @@
-// A program outside the project: it indexes one model and finds it again.
+// A program outside the project: it indexes one model and finds it again, and reads one by a
+// module.
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +29,17 @@ constexpr const char* cube = R"(OFF
 4 3 0 4 7
 )";
 
+constexpr const char* octahedron = R"(NRRD0004
+type: float
+dimension: 3
+sizes: 3 3 3
+encoding: ascii
+
+0 0 0 0 0 0 0 0 0
+0 0 0 0 1 0 0 0 0
+0 0 0 0 0 0 0 0 0
+)";
+
 }  // namespace
 
 int main() {
@@ -44,5 +57,9 @@ int main() {
   const bool is_found =
       answer.result.matches.size() == 1 && answer.result.matches[0].distance == 0.0;
   std::puts(is_found ? "found" : "not found");
-  return is_found ? 0 : 1;
+
+  std::ofstream("octahedron.nrrd") << octahedron;
+  const auto balls = mdbd::describe_file("octahedron.nrrd", recipe).decomposition.balls;
+  std::printf("%zu balls\n", balls.size());
+  return is_found && balls.size() == static_cast<std::size_t>(recipe.balls) ? 0 : 1;
 }
