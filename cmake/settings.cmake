@@ -24,7 +24,9 @@ if(MDBD_SANITIZE)
   # With AddressSanitizer Eigen aligns memory by itself, and what PCL's libraries took from malloc
   # would be freed in another way. The sanitizer's malloc is aligned, too.
   target_compile_definitions(mdbd_settings INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
-  target_link_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS})
+  # The sanitizer calls dlopen in the program's place, which then searches its own RUNPATH; the
+  # older RPATH of a program is for all.
+  target_link_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS} LINKER:--disable-new-dtags)
 endif()
 
 include(GNUInstallDirs)
