@@ -1,6 +1,6 @@
 // A program outside the project: it indexes one model and finds it again, and reads one by a
 // module.
-#include <cstddef>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -35,9 +35,9 @@ dimension: 3
 sizes: 3 3 3
 encoding: ascii
 
-0 0 0 0 0 0 0 0 0
-0 0 0 0 1 0 0 0 0
-0 0 0 0 0 0 0 0 0
+-1 -1 -1 -1 -1 -1 -1 -1 -1
+-1 -1 -1 -1 14 -1 -1 -1 -1
+-1 -1 -1 -1 -1 -1 -1 -1 -1
 )";
 
 }  // namespace
@@ -58,8 +58,11 @@ int main() {
       answer.result.matches.size() == 1 && answer.result.matches[0].distance == 0.0;
   std::puts(is_found ? "found" : "not found");
 
+  // |x| + |y| + |z| <= 14/15
   std::ofstream("octahedron.nrrd") << octahedron;
-  const auto balls = mdbd::describe_file("octahedron.nrrd", recipe).decomposition.balls;
-  std::printf("%zu balls\n", balls.size());
-  return is_found && balls.size() == static_cast<std::size_t>(recipe.balls) ? 0 : 1;
+  const mdbd::ShapeDescription solid = mdbd::describe_file("octahedron.nrrd", recipe);
+  const double radius = solid.decomposition.balls.front().radius;
+  const bool is_right = std::abs(radius - 14 / (15 * std::sqrt(3))) < 1e-6;
+  std::printf("radius %g\n", radius);
+  return is_found && is_right ? 0 : 1;
 }
