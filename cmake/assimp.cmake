@@ -1,4 +1,4 @@
-# The target mdbd_assimp; used by the build and by the installed package.
+# The target mdbd_assimp.
 # assimp's own package file asks for minizip's and draco's targets, which its shared library does
 # not need.
 if(NOT TARGET mdbd_assimp)

@@ -4,6 +4,10 @@ include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/mdbd)
 
+# Whoever links the libraries finds the modules where they were installed.
+target_link_options(mdbd_features INTERFACE
+  "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${mdbd_installed_modules}>")
+
 install(TARGETS mdbd_core mdbd_features mdbd_store mdbd_query EXPORT mdbd
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY features store query DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mdbd
@@ -18,9 +22,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
 install(FILES
   ${PROJECT_BINARY_DIR}/mdbd-config.cmake
   ${PROJECT_BINARY_DIR}/mdbd-config-version.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/assimp.cmake
   ${CMAKE_CURRENT_LIST_DIR}/flann.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/occt.cmake
   ${CMAKE_CURRENT_LIST_DIR}/pcl.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/vtk.cmake
   DESTINATION ${package_directory})

@@ -1,4 +1,4 @@
-# The target mdbd_occt; used by the build and by the installed package.
+# The target mdbd_occt.
 # OpenCASCADE's own package file asks for the libraries of all its modules, X11 among them; of these
 # the readers need ten.
 if(NOT TARGET mdbd_occt)

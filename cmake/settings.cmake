@@ -24,22 +24,47 @@ if(MDBD_SANITIZE)
   # With AddressSanitizer Eigen aligns memory by itself, and what PCL's libraries took from malloc
   # would be freed in another way. The sanitizer's malloc is aligned, too.
   target_compile_definitions(mdbd_settings INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
-  target_link_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS})
+  # The sanitizer calls dlopen in the program's place, which then searches its own RUNPATH; the
+  # older RPATH of a program is for all.
+  target_link_options(mdbd_settings INTERFACE ${MDBD_SANITIZERS} LINKER:--disable-new-dtags)
 endif()
 
 include(GNUInstallDirs)
+
+# Where modules are (mdbd_module), in the build tree and installed. The folder has the version in
+# its name, since a module and the program that loads it must be of one build.
+set(mdbd_built_modules ${PROJECT_BINARY_DIR}/modules)
+set(mdbd_installed_modules ${CMAKE_INSTALL_LIBDIR}/mdbd-${PROJECT_VERSION})
+set(CMAKE_BUILD_RPATH ${mdbd_built_modules})
+file(RELATIVE_PATH programs_to_modules
+  ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${mdbd_installed_modules})
+set(CMAKE_INSTALL_RPATH $ORIGIN/${programs_to_modules})
+add_custom_target(mdbd_modules)
 
 # A library of one room. Headers are included by their path from the top of the project
 # ("features/core/ball.h"); installed, the same tree stands below include/mdbd.
 function(mdbd_library name)
   add_library(mdbd_${name} STATIC ${ARGN})
   add_library(mdbd::${name} ALIAS mdbd_${name})
-  set_target_properties(mdbd_${name} PROPERTIES EXPORT_NAME ${name})
+  set_target_properties(mdbd_${name} PROPERTIES EXPORT_NAME ${name}
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)  # modules link them, too
   target_include_directories(mdbd_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mdbd>)
   target_link_libraries(mdbd_${name} PRIVATE $<BUILD_INTERFACE:mdbd_settings>)
   target_compile_features(mdbd_${name} PUBLIC cxx_std_20)
+endfunction()
+
+# A shared library that programs load when they first need it (features/modules/module.h):
+# mdbd_module(mdbd_cad SOURCES … LIBRARIES …).
+function(mdbd_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(${name} MODULE ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${mdbd_built_modules} INSTALL_RPATH "")
+  target_link_libraries(${name} PRIVATE mdbd_settings ${arg_LIBRARIES})
+  install(TARGETS ${name} LIBRARY DESTINATION ${mdbd_installed_modules} COMPONENT programs)
+  add_dependencies(mdbd_modules ${name})
 endfunction()
 
 # Sources with loops over lanes (features/core/vectorised.h). Without errno and traps square roots and
@@ -53,6 +78,7 @@ endfunction()
 function(mdbd_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE mdbd_settings)
+  add_dependencies(${name} mdbd_modules)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
   mdbd_documents(${name})
 endfunction()

@@ -1,4 +1,4 @@
-# The target mdbd_vtk; used by the build and by the installed package.
+# The target mdbd_vtk.
 # Of VTK only the reader of image data in XML and the iso-surface are used: libraries by name, since
 # its own package file looks for the needs of all others, too.
 if(NOT TARGET mdbd_vtk)

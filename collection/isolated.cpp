@@ -32,8 +32,10 @@ std::string run_computation(const std::filesystem::path& file,
   }
 }
 
-ProcessOutcome run_process(const ProcessLimits& limits, const ProcessWork& work) {
+ProcessOutcome run_process(const std::filesystem::path& file, const ProcessLimits& limits,
+                           const ProcessWork& work) {
   constexpr std::chrono::milliseconds interval{1000};
+  preload_reader(file);
   ProcessPool pool(1, limits);
   pool.start(0, work);
   while (true) {
@@ -46,8 +48,8 @@ ProcessOutcome run_process(const ProcessLimits& limits, const ProcessWork& work)
 
 std::string compute_isolated(const std::filesystem::path& file, const ProcessLimits& limits,
                              const std::function<std::string()>& compute) {
-  ProcessOutcome outcome =
-      run_process(limits, [&](const SendOutput& send) { send(run_computation(file, compute)); });
+  ProcessOutcome outcome = run_process(
+      file, limits, [&](const SendOutput& send) { send(run_computation(file, compute)); });
   if (outcome.end != ProcessEnd::finished || outcome.output.empty()) {
     throw InvalidInput(fmt::format("{}: {}", file.string(), outcome.reason));
   }
@@ -63,7 +65,7 @@ ShapeDescription describe_isolated(const std::filesystem::path& file, const Reci
     return has_thumbnail ? describe_with_thumbnail(path, recipe) : describe_file(path, recipe);
   };
   ModelResult result = read_model_result(run_process(
-      limits, [&](const SendOutput& send) { run_model_job(file, {}, describe, send); }));
+      file, limits, [&](const SendOutput& send) { run_model_job(file, {}, describe, send); }));
   const ShapeRecord& record = result.record;
   if (record.failure == FailureKind::unreadable) throw IoError(record.reason);
   if (record.status == ShapeStatus::failed) throw InvalidInput(record.reason);

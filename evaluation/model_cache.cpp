@@ -190,7 +190,9 @@ DescribedModels ModelCache::describe(std::span<const LabelledModel> models,
   StageRecords records(*store_, stage_suffix(variant));
   std::deque<std::size_t> pending;
   for (std::size_t i = 0; i < models.size(); ++i) {
-    if (!records.is_current(models[i].file)) pending.push_back(i);
+    if (records.is_current(models[i].file)) continue;
+    preload_reader(models[i].file.path);
+    pending.push_back(i);
   }
   if (!pending.empty()) {
     progress_.on_stage(variant.name.empty() ? "clean models" : variant.name, pending.size());
@@ -243,7 +245,9 @@ SignatureVectors ModelCache::compute_signature(std::span<const LabelledModel> mo
   for (std::size_t i = 0; i < models.size(); ++i) {
     const ShapeRecord* record = clean.find(models[i].file);
     if (record == nullptr || record->status == ShapeStatus::failed) continue;
-    if (!vectors.contains(record->id) && !failed.is_current(models[i].file)) pending.push_back(i);
+    if (vectors.contains(record->id) || failed.is_current(models[i].file)) continue;
+    preload_reader(models[i].file.path);
+    pending.push_back(i);
   }
   if (!pending.empty()) progress_.on_stage(signature.name, pending.size());
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "features/brep/read_brep.h"
 #include "features/brep/solid_path.h"
 #include "features/brep_shape.h"
 #include "features/cloud_shape.h"
@@ -10,7 +9,10 @@
 #include "features/decomposition/decompose.h"
 #include "features/implicit_shape.h"
 #include "features/mesh_shape.h"
+#include "features/modules/module.h"
+#include "features/modules/readers.h"
 #include "features/planar_shape.h"
+#include "features/shape_io/read_mesh.h"
 #include "features/shape_io/read_planar_domain.h"
 #include "features/shape_io/read_point_cloud.h"
 #include "features/shape_io/read_voxel_grid.h"
@@ -18,6 +20,11 @@
 #include "features/voxel_shape.h"
 
 namespace mdbd {
+namespace {
+
+constexpr std::string_view pcd_extensions[] = {".pcd"};
+
+}  // namespace
 
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (is_point_cloud_file(path)) return load_cloud_shape(path);
@@ -26,6 +33,17 @@ Shape load_shape(const std::filesystem::path& path, const Recipe& recipe) {
   if (has_extension(path, implicit_file_extensions())) return load_implicit_shape(path);
   if (has_extension(path, voxel_file_extensions())) return load_voxel_shape(path, recipe);
   return load_mesh_shape(path, recipe);
+}
+
+void preload_reader(const std::filesystem::path& path) {
+  try {
+    if (is_brep_file(split_solid_path(path).file)) load_module<CadModule>();
+    if (has_extension(path, scene_file_extensions())) load_module<SceneModule>();
+    if (has_extension(path, voxel_file_extensions())) load_module<VoxelModule>();
+    if (has_extension(path, pcd_extensions)) load_module<PcdModule>();
+  } catch (const IoError&) {
+    return;
+  }
 }
 
 double minimum_radius(const Shape& shape, const Recipe& recipe) {

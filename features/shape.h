@@ -37,6 +37,10 @@ struct Shape {
 /// @throws InvalidInput if it is no usable shape; the message does not name the file
 Shape load_shape(const std::filesystem::path& path, const Recipe& recipe);
 
+/// Loads what load_shape() will load for a path (features/modules), so that processes that are
+/// forked afterwards need not. Never fails: load_shape() says what is missing.
+void preload_reader(const std::filesystem::path& path);
+
 /// The least radius of the balls of a shape, relative to R: the recipe's, or the shape's own if
 /// that is larger.
 double minimum_radius(const Shape& shape, const Recipe& recipe);

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "collection/discover.h"
-#include "features/brep/read_brep.h"
 #include "features/brep/solid_path.h"
 #include "features/descriptor/fused_signature.h"
 
@@ -204,6 +203,7 @@ class IndexRun {
     pending_.pop_front();
     static const std::unordered_set<std::string> nothing;
     const auto& known = job.must_compute ? nothing : known_keys_;
+    preload_reader(job.file.path);
     pool_.start(number, [&](const SendOutput& send) {
       run_model_job(job.file.path, known, describe_, send, is_per_solid_);
     });

@@ -9,6 +9,7 @@
 
 #include "collection/discover.h"
 #include "features/core/errors.h"
+#include "features/shape.h"
 #include "features/shape_io/read_mesh.h"
 #include "features/shape_io/write_mesh.h"
 
@@ -151,6 +152,7 @@ std::size_t make_copies(const std::vector<PlannedCopy>& copies, const PerturbOpt
     while (next < copies.size() && !pool.is_full() && !observer.is_interrupted()) {
       const PlannedCopy& copy = copies[next];
       if (copy.problem.empty()) {
+        preload_reader(copy.source);
         pool.start(next, [&](const SendOutput& send) { run_job(copy, options, send); });
       } else {
         observer.on_done(copy, {.problem = copy.problem, .remark = {}});

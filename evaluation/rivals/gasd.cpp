@@ -1,6 +1,7 @@
 #include "evaluation/rivals/gasd.h"
 
 #include <pcl/features/gasd.h>
+#include <pcl/features/impl/gasd.hpp>  // the one template, not the 42 MB of PCL's library of them
 #include <pcl/point_types.h>
 
 #include "evaluation/rivals/surface_samples.h"

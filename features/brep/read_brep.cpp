@@ -1,8 +1,7 @@
 // Chooses what of a file is measured.
 #include "features/brep/read_brep.h"
 
-#include <algorithm>
-#include <vector>
+#include <string_view>
 
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
@@ -18,12 +17,10 @@
 
 #include "features/brep/occt_shape.h"
 #include "features/core/errors.h"
-#include "features/shape_io/text_cursor.h"
 
 namespace mdbd {
 namespace {
 
-constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs"};
 // By how much the edges of faces that are to be sewn may differ; millimetres.
 constexpr double sewing_tolerance = 1e-3;
 
@@ -117,14 +114,6 @@ auto explain_failures(const Function& function) {
 }
 
 }  // namespace
-
-std::span<const std::string_view> brep_file_extensions() { return extensions; }
-
-bool is_brep_file(const std::filesystem::path& path) {
-  return std::ranges::any_of(extensions, [&](std::string_view extension) {
-    return equals_ignoring_case(path.extension().string(), extension);
-  });
-}
 
 BrepFile read_brep(const std::filesystem::path& path, std::size_t solid) {
   return explain_failures([&] { return read(path, solid); });

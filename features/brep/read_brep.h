@@ -2,10 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "features/brep/brep.h"
 
@@ -23,12 +20,6 @@ struct BrepFile {
   std::size_t solids_turned = 0;  ///< that were inside out
   bool is_sewn = false;  ///< there was no solid: the faces were sewn, and made one if that closed
 };
-
-/// The endings of CAD files: .step, .stp, .iges, .igs.
-std::span<const std::string_view> brep_file_extensions();
-
-/// Whether the ending of a path, in upper or lower case, is that of a CAD file.
-bool is_brep_file(const std::filesystem::path& path);
 
 /// Reads a STEP or IGES file through OpenCASCADE. An assembly is the union of its solids. The
 /// tessellation is asked for a deflection of 5e-4 of the size of the shape.

@@ -1,10 +1,24 @@
 #include "features/brep/solid_path.h"
 
+#include <algorithm>
 #include <charconv>
 
-#include "features/brep/read_brep.h"
+#include "features/shape_io/text_cursor.h"
 
 namespace mdbd {
+namespace {
+
+constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs"};
+
+}  // namespace
+
+std::span<const std::string_view> brep_file_extensions() { return extensions; }
+
+bool is_brep_file(const std::filesystem::path& path) {
+  return std::ranges::any_of(extensions, [&](std::string_view extension) {
+    return equals_ignoring_case(path.extension().string(), extension);
+  });
+}
 
 SolidPath split_solid_path(const std::filesystem::path& path) {
   const std::string& text = path.native();

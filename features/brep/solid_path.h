@@ -2,9 +2,17 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace mdbd {
+
+/// The endings of CAD files: .step, .stp, .iges, .igs.
+std::span<const std::string_view> brep_file_extensions();
+
+/// Whether the ending of a path, in upper or lower case, is that of a CAD file.
+bool is_brep_file(const std::filesystem::path& path);
 
 /// One solid of a CAD file, or a whole file.
 struct SolidPath {

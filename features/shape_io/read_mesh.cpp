@@ -65,6 +65,10 @@ MeshFile clean(const PolygonMesh& polygons) {
 
 std::span<const std::string_view> mesh_file_extensions() { return extensions; }
 
+std::span<const std::string_view> scene_file_extensions() {
+  return std::span(extensions).subspan(make_plain.size());
+}
+
 bool has_mesh_extension(const std::filesystem::path& path) {
   return format_of(path) < extensions.size();
 }

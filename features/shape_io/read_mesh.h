@@ -21,6 +21,9 @@ struct MeshFile {
 /// The endings that read_mesh understands, in lower case with the dot: ".off", …
 std::span<const std::string_view> mesh_file_extensions();
 
+/// Those of them that assimp reads (assimp_reader.h).
+std::span<const std::string_view> scene_file_extensions();
+
 /// Whether the ending of a path, in upper or lower case, is one of mesh_file_extensions().
 bool has_mesh_extension(const std::filesystem::path& path);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "features/brep/read_brep.h"
+#include "features/brep/solid_path.h"
 #include "features/core/errors.h"
 #include "features/shape_io/input_file.h"
 #include "features/shape_io/read_mesh.h"

@@ -1,4 +1,6 @@
-// A program outside the project: it indexes one model and finds it again.
+// A program outside the project: it indexes one model and finds it again, and reads one by a
+// module.
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +29,17 @@ constexpr const char* cube = R"(OFF
 4 3 0 4 7
 )";
 
+constexpr const char* octahedron = R"(NRRD0004
+type: float
+dimension: 3
+sizes: 3 3 3
+encoding: ascii
+
+-1 -1 -1 -1 -1 -1 -1 -1 -1
+-1 -1 -1 -1 14 -1 -1 -1 -1
+-1 -1 -1 -1 -1 -1 -1 -1 -1
+)";
+
 }  // namespace
 
 int main() {
@@ -44,5 +57,12 @@ int main() {
   const bool is_found =
       answer.result.matches.size() == 1 && answer.result.matches[0].distance == 0.0;
   std::puts(is_found ? "found" : "not found");
-  return is_found ? 0 : 1;
+
+  // |x| + |y| + |z| <= 14/15
+  std::ofstream("octahedron.nrrd") << octahedron;
+  const mdbd::ShapeDescription solid = mdbd::describe_file("octahedron.nrrd", recipe);
+  const double radius = solid.decomposition.balls.front().radius;
+  const bool is_right = std::abs(radius - 14 / (15 * std::sqrt(3))) < 1e-6;
+  std::printf("radius %g\n", radius);
+  return is_found && is_right ? 0 : 1;
 }
