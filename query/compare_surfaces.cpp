@@ -98,6 +98,8 @@ std::vector<std::optional<double>> compare_surfaces(const ShapeStore& store,
         progress.advance(true);
         continue;
       }
+      preload_reader(first->record.path);
+      preload_reader(second->record.path);
       pool.start(job, [&](const SendOutput& send) {
         send_deviation(*first, *second, store.recipe(), send);
       });

@@ -22,7 +22,7 @@ inline constexpr double radii_share = 1.0 / 6.0;
 /// than same_surface_deviation of R. They are compared up to a distance of so many thresholds, if
 /// the largest radii agree to largest_ball_tolerance of R.
 inline constexpr double doubtful_distance = 8.0;
-inline constexpr double same_surface_deviation = 0.01;
+inline constexpr double same_surface_deviation = 0.006;
 inline constexpr double largest_ball_tolerance = 2.0 * same_surface_deviation;
 
 /// Two models of the store, by their ids.

@@ -53,7 +53,7 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
                    "or in another format, with the evidence for each; nothing is deleted. Models "
                    "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
                    "of that by the radii of mdbd-100, or if their surfaces, laid upon each other, "
-                   "deviate by at most 1 % of R; for that, files of near models are read");
+                   "deviate by at most 0.6 % of R; for that, files of near models are read");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
                             "--html", "--same-size", "--unit", "--approx", "--walk-weight"}) {
     duplicates->excludes(app.get_option(other));

@@ -21,7 +21,7 @@ struct PackedShape {
 struct Alignment {
   Similarity motion;  ///< from the object units of the first shape to those of the second
   /// The largest distance of a point of either surface from the other one, beyond the resolution of
-  /// that; relative to R of the second shape. Of some 2,000 points if it is within the tolerance.
+  /// that; relative to R of the second shape. Of some 4,000 points if it is within the tolerance.
   double deviation = 0.0;
 };
 

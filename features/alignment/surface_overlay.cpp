@@ -38,9 +38,9 @@ std::vector<DistanceSample> measure_all(const DistanceField& field,
   return samples;
 }
 
-/// The boundary near the balls: it is nowhere far from where these end.
-std::vector<Eigen::Vector3d> boundary_points(const PackedShape& shape, std::size_t balls) {
-  std::vector<DistanceQuery> queries;
+/// Asks for the boundary at the two ends of balls: they show all that balls fill.
+void append_ends_of_balls(const PackedShape& shape, std::size_t balls,
+                          std::vector<DistanceQuery>& queries) {
   const std::size_t stride = (shape.balls.size() + balls - 1) / balls;
   for (std::size_t i = 0; i < shape.balls.size(); i += stride) {
     const Ball& ball = shape.balls[i];
@@ -48,6 +48,24 @@ std::vector<Eigen::Vector3d> boundary_points(const PackedShape& shape, std::size
     queries.push_back({.point = ball.center + radius});
     queries.push_back({.point = ball.center - radius});
   }
+}
+
+/// Asks for the boundary nearest to points all over the enclosing ball: it shows what sticks out,
+/// though it may be too thin for any of the balls.
+void append_surroundings(const PackedShape& shape, std::size_t count,
+                         std::vector<DistanceQuery>& queries) {
+  const Ball enclosing = shape.field.enclosing_ball();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    queries.push_back(
+        {.point = enclosing.center + enclosing.radius * std::cbrt(share) * direction(i)});
+  }
+}
+
+std::vector<Eigen::Vector3d> boundary_points(const PackedShape& shape, std::size_t balls) {
+  std::vector<DistanceQuery> queries;
+  append_ends_of_balls(shape, balls, queries);
+  append_surroundings(shape, 2 * balls, queries);
   std::vector<Eigen::Vector3d> points;
   for (const DistanceSample& sample : measure_all(shape.field, queries)) {
     points.push_back(sample.closest);

@@ -19,7 +19,8 @@ struct PointError {
 /// Points of the surfaces of two shapes, to be laid upon the other surface.
 class SurfaceOverlay {
  public:
-  /// @param balls of each shape near which points are taken, two for each ball
+  /// @param balls of each shape at which points are taken, two at each; as many are taken all
+  /// around
   SurfaceOverlay(const PackedShape& first, const PackedShape& second, std::size_t balls);
 
   /// The errors of all points, after a motion of the first shape.

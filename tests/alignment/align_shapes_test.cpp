@@ -1,6 +1,7 @@
 #include "features/alignment/align_shapes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -86,6 +87,25 @@ TEST_CASE("a detail that differs is no small deviation") {
   const Packed other(make_board(1.1));  // 0.3 of R = 4.6: 6.5 %
   CHECK(align_shapes(board, other, tolerance).deviation > 0.02);
   CHECK(align_shapes(other, board, tolerance).deviation > 0.02);
+}
+
+TEST_CASE("what is too thin for the balls is no small deviation, either") {
+  TriangleMesh pinned = make_board(1.4);
+  TriangleMesh pin;
+  add_cube(pin, {0, 0, 0}, 1.0, false);
+  const auto first = static_cast<std::uint32_t>(pinned.vertices.size());
+  for (const Eigen::Vector3d& vertex : pin.vertices) {
+    pinned.vertices.push_back(vertex.cwiseProduct(Eigen::Vector3d(0.02, 0.02, 1.5)) +
+                              Eigen::Vector3d(5.0, 1.0, 1.1));
+  }
+  for (const auto& [a, b, c] : pin.triangles) {
+    pinned.triangles.push_back({first + a, first + b, first + c});
+  }
+  const Packed board(make_board(1.4));
+  const Packed other(pinned);
+  CHECK(std::ranges::none_of(other.balls, [](const Ball& ball) { return ball.radius < 0.02; }));
+  CHECK(align_shapes(board, other, tolerance).deviation > 0.05);
+  CHECK(align_shapes(other, board, tolerance).deviation > 0.05);
 }
 
 TEST_CASE("a mesh is laid upon the surface that it approximates") {

@@ -192,11 +192,11 @@ TEST_CASE("surfaces join what signatures leave apart, as far as they are near ea
   line.add_mesh("a", 0.0F);
   line.add_mesh("b", 0.4F);
   CHECK(line.groups().empty());
-  line.set_deviation("a", "b", 0.009);
+  line.set_deviation("a", "b", 0.005);
   CHECK(line.groups() == Groups{{"/a", "/b"}});
-  CHECK(line.find().groups[0].pairs[0].deviation == 0.009);
+  CHECK(line.find().groups[0].pairs[0].deviation == 0.005);
   CHECK(line.find().measured == 1);
-  line.set_deviation("a", "b", 0.011);
+  line.set_deviation("a", "b", 0.007);
   CHECK(line.groups().empty());
   line.set_deviation("a", "b", std::nullopt);
   CHECK(line.groups().empty());
@@ -207,7 +207,7 @@ TEST_CASE("surfaces join what signatures leave apart, as far as they are near ea
 TEST_CASE("surfaces are not asked where the distance or the largest radius says no") {
   Line line;
   line.add_mesh("a", 0.0F);
-  const auto [place, radius] = GENERATE(std::pair(0.5F, 0.5F), std::pair(0.4F, 0.53F));
+  const auto [place, radius] = GENERATE(std::pair(0.5F, 0.5F), std::pair(0.4F, 0.52F));
   line.add("b", place, radius, "mesh");
   line.set_deviation("a", "b", 0.0);
   CHECK(line.groups().empty());
