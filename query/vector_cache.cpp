@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<char, 8> magic = {'M', 'D', 'B', 'D', 'V', 'E', 'C', '1'};
+constexpr std::array<char, 8> magic = {'M', 'D', 'B', 'D', 'V', 'E', 'C', '2'};
 constexpr std::size_t alignment = 64;
+constexpr std::size_t front_size = 3 * alignment;
 constexpr std::uint64_t largest_count = std::uint64_t{1} << 40;
 
 using Digest = std::array<std::uint64_t, 2>;
@@ -43,9 +44,11 @@ struct Header {
   double largest_weight = 0.0;
   double largest_magnitude = 0.0;
   double largest_number = 0.0;
+  double step = 0.0;           ///< of the quantiser
+  double largest_error = 0.0;  ///< of the sketches
   std::uint64_t checksum = 0;  ///< of the header up to here
 };
-static_assert(sizeof(Header) <= 2 * alignment);
+static_assert(sizeof(Header) <= front_size);
 
 std::uint64_t checksum_of(const Header& header) {
   return XXH3_64bits(&header, offsetof(Header, checksum));
@@ -57,7 +60,8 @@ std::size_t padded(std::size_t bytes) { return (bytes + alignment - 1) / alignme
 struct Sections {
   explicit Sections(const Header& header)
       : axes(header.sketch_size * (header.dimension + 1) * sizeof(double)),
-        groups(SketchList::grouped_size(header.rows, header.sketch_size) * sizeof(float)),
+        corner(header.sketch_size * sizeof(double)),
+        groups(SketchList::grouped_size(header.rows, header.sketch_size)),
         values(header.rows * header.dimension * sizeof(float)),
         ids(header.rows * sizeof(std::int64_t)),
         scales(header.rows * sizeof(double)),
@@ -66,13 +70,13 @@ struct Sections {
 
   std::size_t total() const {
     std::size_t sum = 0;
-    for (const std::size_t size : {axes, groups, values, ids, scales, path_ends, paths}) {
+    for (const std::size_t size : {axes, corner, groups, values, ids, scales, path_ends, paths}) {
       sum += padded(size);
     }
     return sum;
   }
 
-  std::size_t axes, groups, values, ids, scales, path_ends, paths;
+  std::size_t axes, corner, groups, values, ids, scales, path_ends, paths;
 };
 
 /// A file that is open.
@@ -147,19 +151,19 @@ class SectionReader {
 bool is_possible(const Header& header) {
   const auto is_count = [](std::uint64_t count) { return count < largest_count; };
   return is_count(header.rows) && header.dimension < (1U << 20) && is_count(header.path_bytes) &&
-         header.sketch_size < (1U << 10);
+         header.sketch_size <= SketchList::largest_dimension;
 }
 
 /// The header of a cache that is whole and was made from what the key names.
 std::optional<Header> read_header(std::span<const std::byte> bytes, std::string_view key) {
   Header header;
-  if (bytes.size() < 2 * alignment) return std::nullopt;
+  if (bytes.size() < front_size) return std::nullopt;
   std::memcpy(&header, bytes.data(), sizeof(Header));
   if (header.magic != magic || header.checksum != checksum_of(header) || !is_possible(header) ||
       header.key != digest_of(XXH3_128bits(key.data(), key.size()))) {
     return std::nullopt;
   }
-  const std::span<const std::byte> sections = bytes.subspan(2 * alignment);
+  const std::span<const std::byte> sections = bytes.subspan(front_size);
   if (sections.size() != Sections(header).total() ||
       header.sections != digest_of(XXH3_128bits(sections.data(), sections.size()))) {
     return std::nullopt;
@@ -194,9 +198,13 @@ std::vector<MetricSketch::Axis> to_axes(std::span<const double> matrix, std::siz
 std::vector<std::span<const std::byte>> list_sections(const std::vector<double>& axes,
                                                       const Sketches& sketches,
                                                       const VectorArrays& arrays) {
-  return {std::as_bytes(std::span(axes)),        std::as_bytes(sketches.list.groups()),
-          std::as_bytes(arrays.values),          std::as_bytes(arrays.ids),
-          std::as_bytes(arrays.scales),          std::as_bytes(arrays.path_ends),
+  return {std::as_bytes(std::span(axes)),
+          std::as_bytes(sketches.list.quantiser().corner()),
+          std::as_bytes(sketches.list.groups()),
+          std::as_bytes(arrays.values),
+          std::as_bytes(arrays.ids),
+          std::as_bytes(arrays.scales),
+          std::as_bytes(arrays.path_ends),
           std::as_bytes(std::span(arrays.paths))};
 }
 
@@ -238,7 +246,7 @@ bool lock(const OpenFile& file, const fs::path& path) {
 
 bool write_sections(const OpenFile& file, const Header& header,
                     std::span<const std::span<const std::byte>> sections) {
-  std::array<std::byte, 2 * alignment> front{};
+  std::array<std::byte, front_size> front{};
   std::memcpy(front.data(), &header, sizeof(Header));
   bool is_written = ::ftruncate(file.get(), 0) == 0 && file.write(front.data(), front.size());
   for (const std::span<const std::byte> section : sections) {
@@ -270,12 +278,14 @@ std::optional<CachedVectors> read_vector_cache(const fs::path& path, std::string
   const std::optional<Header> header = read_header(mapping->bytes(), key);
   if (!header) return std::nullopt;
   const Sections sections(*header);
-  SectionReader reader(mapping->bytes().subspan(2 * alignment));
+  SectionReader reader(mapping->bytes().subspan(front_size));
   const PointNorm norm = header->is_l1 != 0 ? PointNorm::l1 : PointNorm::l2;
   MetricSketch map(to_axes(reader.take<double>(sections.axes), header->dimension), norm,
                    header->largest_weight);
-  SketchList list(reader.take<float>(sections.groups), header->rows, header->sketch_size, norm,
-                  mapping);
+  const std::span<const double> corner = reader.take<double>(sections.corner);
+  SketchList list(ScalarQuantiser(header->step, {corner.begin(), corner.end()}),
+                  header->largest_error, reader.take<std::uint8_t>(sections.groups), header->rows,
+                  norm, mapping);
   VectorArrays arrays;
   arrays.dimension = header->dimension;
   arrays.largest_number = static_cast<float>(header->largest_number);
@@ -304,7 +314,9 @@ bool write_vector_cache(const fs::path& path, std::string_view key, const Vector
                 .is_l1 = sketches.map.norm() == PointNorm::l1 ? 1U : 0U,
                 .largest_weight = sketches.map.largest_weight(),
                 .largest_magnitude = arrays.largest_magnitude,
-                .largest_number = arrays.largest_number};
+                .largest_number = arrays.largest_number,
+                .step = sketches.list.quantiser().step(),
+                .largest_error = sketches.list.largest_error()};
   header.checksum = checksum_of(header);
   if (!has_room(path, Sections(header).total())) return false;
   const fs::path unfinished = fs::path(path) += ".unfinished";
