@@ -160,8 +160,8 @@ ExactSearch::ExactSearch(VectorTable collection, std::unique_ptr<const Signature
 void ExactSearch::check_values() const {
   double weight = 1.0;
   for (const MetricBlock& block : blocks_) weight = std::max(weight, block.weight);
-  const std::span<const float> largest(&collection_.arrays().largest_number, 1);
-  if (are_usable(largest, weight)) return;
+  const float largest = collection_.largest_number();
+  if (are_usable(std::span(&largest, 1), weight)) return;
   for (std::size_t row = 0; row < collection_.size(); ++row) {
     magnitude(collection_.values(row), blocks_);
   }
@@ -180,6 +180,7 @@ void ExactSearch::build_index(std::size_t searches, SearchMethod method) {
   }
   if (!sketches_) sketches_ = make_sketches(collection_, blocks_);
   if (method == SearchMethod::tree && sketches_->map.norm() == PointNorm::l2) {
+    collection_.arrays();  // so many searches read nearly all of it, in no order
     tree_.emplace(sketches_->list.points(), sketches_->map.size());
   }
 }
@@ -187,7 +188,7 @@ void ExactSearch::build_index(std::size_t searches, SearchMethod method) {
 std::size_t ExactSearch::count_within(const SearchOptions& options) const {
   if (!has_scale_range(options)) return collection_.size();
   return static_cast<std::size_t>(std::ranges::count_if(
-      collection_.arrays().scales, [&](double scale) { return is_within(scale, options); }));
+      collection_.scales(), [&](double scale) { return is_within(scale, options); }));
 }
 
 void ExactSearch::scan(Candidates& candidates) const {
@@ -197,7 +198,7 @@ void ExactSearch::scan(Candidates& candidates) const {
 void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
   const MetricSketch& map = sketches_->map;
   const double margin =
-      map.margin(std::max(collection_.arrays().largest_magnitude, magnitude(query, blocks_)));
+      map.margin(std::max(collection_.largest_magnitude(), magnitude(query, blocks_)));
   std::vector<float> sketch(map.size());
   map.write(query, sketch);
   const SketchList& list = sketches_->list;
@@ -210,10 +211,13 @@ void ExactSearch::visit_index(std::span<const float> query, Candidates& candidat
       return list.reach(radius());
     });
   } else {
-    list.visit_within(sketch, radius(), candidates.count(), [&](std::size_t row) {
-      candidates.consider(row);
-      return radius();
-    });
+    list.visit_within(
+        sketch, radius(), candidates.count(),
+        [&](std::size_t row) {
+          candidates.consider(row);
+          return radius();
+        },
+        [&](std::size_t row) { collection_.prefetch(row); });
   }
 }
 

@@ -9,6 +9,15 @@
 
 namespace mdbd {
 
+const VectorArrays& VectorTable::arrays() const {
+  checked(arrays_.values);
+  checked(arrays_.ids);
+  checked(arrays_.scales);
+  checked(arrays_.path_ends);
+  checked(std::span(arrays_.paths));
+  return arrays_;
+}
+
 struct VectorTableBuilder::Rows {
   std::size_t dimension = 0;
   std::vector<std::int64_t> ids;
@@ -60,7 +69,7 @@ VectorTable VectorTableBuilder::take() {
                       .values = rows->values,
                       .largest_number = rows->largest_number,
                       .largest_magnitude = rows->largest_magnitude},
-                     rows);
+                     std::shared_ptr<const void>(rows));
 }
 
 }  // namespace mdbd
