@@ -69,7 +69,7 @@ VectorTable VectorTableBuilder::take() {
                       .values = rows->values,
                       .largest_number = rows->largest_number,
                       .largest_magnitude = rows->largest_magnitude},
-                     std::shared_ptr<const void>(rows));
+                     rows);
 }
 
 }  // namespace mdbd
