@@ -16,6 +16,8 @@ constexpr std::size_t least_indexed_size = 10'000;
 constexpr std::size_t least_sketched_searches = 50;
 constexpr std::size_t least_tree_searches = 500;
 
+constexpr std::size_t many_matches = 500;
+
 // Whether all numbers stay far from overflow when they are multiplied by a weight; false for NaN.
 bool are_usable(std::span<const float> values, double weight) {
   return std::ranges::all_of(values, [weight](float value) {
@@ -257,7 +259,9 @@ SearchResult ExactSearch::finish(std::span<const float> query, const SearchOptio
   result.part_names = metric_->part_names();
   result.compared = count_within(options);
   result.examined = candidates.examined();
-  for (const Candidate& candidate : candidates.take()) {
+  const std::vector<Candidate> best = candidates.take();
+  if (best.size() >= many_matches) collection_.read_models();
+  for (const Candidate& candidate : best) {
     result.matches.push_back(describe(query, candidate, options.differences));
   }
   return result;

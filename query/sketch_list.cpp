@@ -11,7 +11,10 @@ namespace mdbd {
 namespace {
 
 constexpr std::size_t batch_groups = 8;
+// Rows are not announced before they are visited at once, so that there must not be too many.
 constexpr std::size_t least_at_once = 16;
+constexpr std::size_t most_at_once = 1024;
+constexpr std::size_t announced_together = 512;
 
 /// A distance in the terms of find_within(), whole: L2 is squared.
 std::uint32_t to_limit(double steps, PointNorm norm) {
@@ -118,7 +121,7 @@ void SketchList::visit_within(std::span<const float> query, double radius, std::
   const double error = ScalarQuantiser::write(place, norm_, bytes);
   const auto limit_of = [&](double within) { return to_limit(reach(within) + error, norm_); };
   std::uint32_t limit = limit_of(radius);
-  SmallestSoFar smallest(std::max(count, least_at_once));
+  SmallestSoFar smallest(std::clamp(count, least_at_once, most_at_once));
   std::vector<Candidate> others;
   for_each_within(bytes, groups_, norm_, limit, [&](std::uint32_t distance, std::size_t row) {
     if (row >= rows_) return;  // what fills up the last group
@@ -130,12 +133,14 @@ void SketchList::visit_within(std::span<const float> query, double radius, std::
   });
   std::erase_if(others, [&](const Candidate& other) { return other.distance > limit; });
   std::ranges::sort(others);
-  if (announce) {
-    for (const Candidate& other : others) announce(other.row);
-  }
-  for (const Candidate& other : others) {
-    if (other.distance > limit) break;
-    limit = limit_of(visitor(other.row));
+  for (std::size_t i = 0; i < others.size() && others[i].distance <= limit; ++i) {
+    if (announce && i % announced_together == 0) {
+      for (const Candidate& other :
+           std::span(others).subspan(i, std::min(announced_together, others.size() - i))) {
+        announce(other.row);
+      }
+    }
+    limit = limit_of(visitor(others[i].row));
   }
 }
 

@@ -55,8 +55,8 @@ class SketchList {
   double reach(double radius) const;
 
   /// Visits every row whose distance from the query is at most the radius, which shrinks as the
-  /// visitor says, and some others. Those whose bytes are among the `count` nearest so far come at
-  /// once, the others at the end, the nearest first.
+  /// visitor says, and some others. Those whose bytes are among the nearest so far, some `count`,
+  /// come at once, the others at the end, the nearest first.
   /// @pre the query has the dimension of the points
   void visit_within(std::span<const float> query, double radius, std::size_t count,
                     const Visitor& visitor, const Announcement& announce = {}) const;
