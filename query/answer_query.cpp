@@ -77,10 +77,11 @@ Vectors fill_cache(const ShapeStore& store, const QueryOptions& options,
   return vectors;
 }
 
-/// The vectors of all models from the cache, which is made if it is not there. Nothing if there can
-/// be none, or if that would mean to compute vectors of models that nobody asked for.
+/// The vectors of all models from the cache, which is made if it is not there or not to be trusted.
+/// Nothing if there can be none, or if that would mean to compute vectors of models that nobody
+/// asked for.
 std::optional<Vectors> load_cached(const ShapeStore& store, const QueryOptions& options,
-                                   std::size_t& completed) {
+                                   bool is_cache_trusted, std::size_t& completed) {
   // Scales in the cache are those of the files.
   if (options.cached_database.empty() || !options.unit.empty()) return std::nullopt;
   // Its sketches bound the distance of the recipe.
@@ -88,7 +89,9 @@ std::optional<Vectors> load_cached(const ShapeStore& store, const QueryOptions& 
   const std::string key = vector_cache_key(store, options.signature);
   if (key.empty()) return std::nullopt;
   const std::filesystem::path cache = vector_cache_path(options.cached_database, options.signature);
-  if (std::optional<CachedVectors> cached = read_vector_cache(cache, key)) {
+  std::optional<CachedVectors> cached;
+  if (is_cache_trusted) cached = read_vector_cache(cache, key);
+  if (cached) {
     return Vectors{std::move(cached->table), std::move(cached->sketches)};
   }
   if (!options.filter.is_empty() && options.signature != SignatureKind::mdbd_100) {
@@ -98,8 +101,8 @@ std::optional<Vectors> load_cached(const ShapeStore& store, const QueryOptions& 
 }
 
 ExactSearch make_search(const ShapeStore& store, const QueryOptions& options, std::size_t queries,
-                        std::size_t& completed) {
-  std::optional<Vectors> cached = load_cached(store, options, completed);
+                        bool is_cache_trusted, std::size_t& completed) {
+  std::optional<Vectors> cached = load_cached(store, options, is_cache_trusted, completed);
   VectorTable table =
       cached ? select_vectors(cached->table, options.filter)
              : collect_vectors(store, options.signature, options.filter, options.unit, completed);
@@ -129,23 +132,37 @@ struct ShapeSearch::Query {
   ShapeData data;                ///< empty unless it is asked for
 };
 
+/// What is searched.
+struct ShapeSearch::Collection {
+  std::size_t completed = 0;
+  ExactSearch exact;
+  std::optional<ApproximateSearch> approximate = std::nullopt;
+  std::optional<Recall> recall = std::nullopt;
+};
+
 ShapeSearch::ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries)
-    : store_(store),
-      options_(std::move(options)),
-      search_(make_search(store, options_, queries, completed_)) {
-  if (!options_.is_approximate || search_.collection().empty()) return;
-  approximate_.emplace(search_);
-  recall_ = approximate_->measure_recall(search_, options_.count);
+    : store_(store), options_(std::move(options)), queries_(queries) {
+  try {
+    collection_ = load(true);
+  } catch (const DamagedFile&) {
+    collection_ = load(false);
+  }
 }
 
-QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
-  QueryAnswer answer{.query = std::move(name),
-                     .result = {},
-                     .completed = completed_,
-                     .radius_count = static_cast<std::size_t>(store_.recipe().descriptor_balls),
-                     .query_scale = query.scale,
-                     .query_data = std::move(query.data),
-                     .recall = recall_};
+ShapeSearch::~ShapeSearch() = default;
+
+std::unique_ptr<const ShapeSearch::Collection> ShapeSearch::load(bool is_cache_trusted) const {
+  std::size_t completed = 0;
+  ExactSearch exact = make_search(store_, options_, queries_, is_cache_trusted, completed);
+  auto collection =
+      std::make_unique<Collection>(Collection{.completed = completed, .exact = std::move(exact)});
+  if (!options_.is_approximate || collection->exact.collection().empty()) return collection;
+  collection->approximate.emplace(collection->exact);
+  collection->recall = collection->approximate->measure_recall(collection->exact, options_.count);
+  return collection;
+}
+
+void ShapeSearch::search(const Query& query, QueryAnswer& answer) const {
   SearchOptions search{.count = options_.count,
                        .threshold = options_.threshold,
                        .differences = options_.differences};
@@ -153,24 +170,40 @@ QueryAnswer ShapeSearch::answer(std::string name, Query query) const {
     search.min_scale = query.scale / same_size_ratio;
     search.max_scale = query.scale * same_size_ratio;
   }
-  query.vector.insert(query.vector.begin(), query.chirality.begin(), query.chirality.end());
-  answer.result = approximate_ ? approximate_->search(search_, query.vector, search)
-                               : search_.search(query.vector, search);
-  if (options_.has_data) {
-    for (const Match& match : answer.result.matches) {
-      answer.match_data.push_back(store_.data(match.id));
-    }
-  }
-  if (!options_.has_chirality) return answer;
+  std::vector<float> vector = query.chirality;
+  vector.insert(vector.end(), query.vector.begin(), query.vector.end());
+  const auto& [completed, exact, approximate, recall] = *collection_;
+  answer.completed = completed;
+  answer.recall = recall;
+  answer.result =
+      approximate ? approximate->search(exact, vector, search) : exact.search(vector, search);
+  if (!options_.has_chirality) return;
   for (Match& match : answer.result.matches) {
-    const std::span<const float> vector = search_.collection().values(match.row);
-    match.hand = compare_hands(query.chirality, vector.first(chirality_size));
+    const std::span<const float> values = exact.collection().values(match.row);
+    match.hand = compare_hands(query.chirality, values.first(chirality_size));
+  }
+}
+
+QueryAnswer ShapeSearch::answer(std::string name, Query query) {
+  QueryAnswer answer{.query = std::move(name),
+                     .result = {},
+                     .radius_count = static_cast<std::size_t>(store_.recipe().descriptor_balls),
+                     .query_scale = query.scale};
+  try {
+    search(query, answer);
+  } catch (const DamagedFile&) {
+    collection_ = load(false);
+    search(query, answer);
+  }
+  answer.query_data = std::move(query.data);
+  if (!options_.has_data) return answer;
+  for (const Match& match : answer.result.matches) {
+    answer.match_data.push_back(store_.data(match.id));
   }
   return answer;
 }
 
-QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
-                                 const DescribeQuery& describe) const {
+QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file, const DescribeQuery& describe) {
   ShapeDescription description = describe_query(file, store_.recipe(), describe);
   Query query{
       .vector = options_.signature == SignatureKind::mdbd_100 ? description.descriptor.values
@@ -184,7 +217,7 @@ QueryAnswer ShapeSearch::by_file(const std::filesystem::path& file,
   return answer(file.string(), std::move(query));
 }
 
-QueryAnswer ShapeSearch::by_id(std::int64_t id) const {
+QueryAnswer ShapeSearch::by_id(std::int64_t id) {
   const std::optional<ShapeRecord> record = store_.find(id);
   if (!record) {
     throw InvalidInput(fmt::format("no model of the database has id {}; --json shows the ids", id));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -61,30 +62,33 @@ struct QueryAnswer {
 /// Describes a file by a recipe; throws as describe_file() does.
 using DescribeQuery = std::function<ShapeDescription(const std::filesystem::path&, const Recipe&)>;
 
-/// The vectors of a collection, read once for any number of queries.
+/// The vectors of a collection, read once for any number of queries; again, from the database, if
+/// the cache turns out to be damaged.
 class ShapeSearch {
  public:
   /// @param store must outlive this object
   /// @param queries how many are to come: many are worth an index
   /// @throws StoreError if the collection cannot be read
   ShapeSearch(const ShapeStore& store, QueryOptions options, std::size_t queries = 1);
+  ~ShapeSearch();
 
   /// As query_by_file().
   QueryAnswer by_file(const std::filesystem::path& file,
-                      const DescribeQuery& describe = describe_file) const;
+                      const DescribeQuery& describe = describe_file);
   /// As query_by_id().
-  QueryAnswer by_id(std::int64_t id) const;
+  QueryAnswer by_id(std::int64_t id);
 
  private:
   struct Query;
-  QueryAnswer answer(std::string name, Query query) const;
+  struct Collection;
+  std::unique_ptr<const Collection> load(bool is_cache_trusted) const;
+  QueryAnswer answer(std::string name, Query query);
+  void search(const Query& query, QueryAnswer& answer) const;
 
   const ShapeStore& store_;
   QueryOptions options_;
-  std::size_t completed_ = 0;
-  ExactSearch search_;
-  std::optional<ApproximateSearch> approximate_;
-  std::optional<Recall> recall_;
+  std::size_t queries_;
+  std::unique_ptr<const Collection> collection_;
 };
 
 /// The models of a collection that look most like a shape file. The file is described by the recipe

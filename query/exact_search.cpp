@@ -16,6 +16,8 @@ constexpr std::size_t least_indexed_size = 10'000;
 constexpr std::size_t least_sketched_searches = 50;
 constexpr std::size_t least_tree_searches = 500;
 
+constexpr std::size_t many_matches = 500;
+
 // Whether all numbers stay far from overflow when they are multiplied by a weight; false for NaN.
 bool are_usable(std::span<const float> values, double weight) {
   return std::ranges::all_of(values, [weight](float value) {
@@ -68,6 +70,14 @@ std::vector<NumberDifference> largest_differences(const SignatureMetric& metric,
   return result;
 }
 
+bool is_within(double scale, const SearchOptions& options) {
+  return scale >= options.min_scale && scale <= options.max_scale;
+}
+
+bool has_scale_range(const SearchOptions& options) {
+  return options.min_scale > 0.0 || options.max_scale < std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 struct ExactSearch::Candidate {
@@ -79,15 +89,19 @@ struct ExactSearch::Candidate {
 class ExactSearch::Candidates {
  public:
   Candidates(const ExactSearch& search, std::span<const float> query, const SearchOptions& options)
-      : search_(search), query_(query), options_(options), limit_(options.threshold) {}
+      : search_(search),
+        query_(query),
+        options_(options),
+        has_scale_range_(has_scale_range(options)),
+        limit_(options.threshold) {}
 
   double limit() const { return limit_; }
+  std::size_t count() const { return options_.count; }
   std::size_t examined() const { return examined_; }
 
   /// Compares a model with the query, unless a bound rules it out.
   void consider(std::size_t row) {
-    const double scale = search_.collection_.scale(row);
-    if (scale < options_.min_scale || scale > options_.max_scale) return;
+    if (has_scale_range_ && !is_within(search_.collection_.scale(row), options_)) return;
     const std::span<const float> values = search_.collection_.values(row);
     const double bound = block_distance(query_, values, search_.blocks_);
     if (bound * (1.0 - search_.margin_) > limit_) return;
@@ -122,6 +136,7 @@ class ExactSearch::Candidates {
   const ExactSearch& search_;
   std::span<const float> query_;
   const SearchOptions& options_;
+  bool has_scale_range_;
   std::vector<Candidate> best_;  // a heap with the worst in front
   double limit_;
   std::size_t examined_ = 0;
@@ -147,8 +162,8 @@ ExactSearch::ExactSearch(VectorTable collection, std::unique_ptr<const Signature
 void ExactSearch::check_values() const {
   double weight = 1.0;
   for (const MetricBlock& block : blocks_) weight = std::max(weight, block.weight);
-  const std::span<const float> largest(&collection_.arrays().largest_number, 1);
-  if (are_usable(largest, weight)) return;
+  const float largest = collection_.largest_number();
+  if (are_usable(std::span(&largest, 1), weight)) return;
   for (std::size_t row = 0; row < collection_.size(); ++row) {
     magnitude(collection_.values(row), blocks_);
   }
@@ -167,14 +182,15 @@ void ExactSearch::build_index(std::size_t searches, SearchMethod method) {
   }
   if (!sketches_) sketches_ = make_sketches(collection_, blocks_);
   if (method == SearchMethod::tree && sketches_->map.norm() == PointNorm::l2) {
+    collection_.arrays();  // so many searches read nearly all of it, in no order
     tree_.emplace(sketches_->list.points(), sketches_->map.size());
   }
 }
 
 std::size_t ExactSearch::count_within(const SearchOptions& options) const {
+  if (!has_scale_range(options)) return collection_.size();
   return static_cast<std::size_t>(std::ranges::count_if(
-      collection_.arrays().scales,
-      [&](double scale) { return scale >= options.min_scale && scale <= options.max_scale; }));
+      collection_.scales(), [&](double scale) { return is_within(scale, options); }));
 }
 
 void ExactSearch::scan(Candidates& candidates) const {
@@ -184,18 +200,26 @@ void ExactSearch::scan(Candidates& candidates) const {
 void ExactSearch::visit_index(std::span<const float> query, Candidates& candidates) const {
   const MetricSketch& map = sketches_->map;
   const double margin =
-      map.margin(std::max(collection_.arrays().largest_magnitude, magnitude(query, blocks_)));
+      map.margin(std::max(collection_.largest_magnitude(), magnitude(query, blocks_)));
   std::vector<float> sketch(map.size());
   map.write(query, sketch);
-  const auto visitor = [&](std::size_t row) {
-    candidates.consider(row);
-    return candidates.limit() + margin;
-  };
-  const double radius = candidates.limit() + margin;
+  const SketchList& list = sketches_->list;
+  const auto radius = [&] { return candidates.limit() + margin; };
   if (tree_) {
-    tree_->visit_within(sketch, radius, visitor);
+    std::vector<float> place(map.size());
+    list.quantiser().locate(sketch, place);
+    tree_->visit_within(place, list.reach(radius()), [&](std::size_t row) {
+      candidates.consider(row);
+      return list.reach(radius());
+    });
   } else {
-    sketches_->list.visit_within(sketch, radius, visitor);
+    list.visit_within(
+        sketch, radius(), candidates.count(),
+        [&](std::size_t row) {
+          candidates.consider(row);
+          return radius();
+        },
+        [&](std::size_t row) { collection_.prefetch(row); });
   }
 }
 
@@ -235,7 +259,9 @@ SearchResult ExactSearch::finish(std::span<const float> query, const SearchOptio
   result.part_names = metric_->part_names();
   result.compared = count_within(options);
   result.examined = candidates.examined();
-  for (const Candidate& candidate : candidates.take()) {
+  const std::vector<Candidate> best = candidates.take();
+  if (best.size() >= many_matches) collection_.read_models();
+  for (const Candidate& candidate : best) {
     result.matches.push_back(describe(query, candidate, options.differences));
   }
   return result;

@@ -69,7 +69,8 @@ enum class SearchMethod {
 
 /// Exact top-k under the metric of a signature. Every bound used is below the distance whatever
 /// rounding does, and what it does not rule out is compared in double precision: that is the
-/// exactness certificate.
+/// exactness certificate. Of a collection that lies in a file only what is compared is read; all
+/// functions throw DamagedFile if that is not what was written.
 class ExactSearch {
  public:
   /// @param collection vectors of the signature; may be empty

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -36,10 +37,17 @@ constexpr double single_precision_margin(std::size_t numbers) {
 double block_distance(std::span<const float> f, std::span<const float> g,
                       std::span<const MetricBlock> blocks);
 
-/// The L1 distances, or the squares of the L2 distances, in single precision of a point from those
-/// of groups (SketchList), `distances.size()` of them, within single_precision_margin() of 8 times
-/// as many numbers of the true ones.
-void grouped_distances(std::span<const float> point, std::span<const float> groups, PointNorm norm,
-                       std::span<float> distances);
+/// A point of groups, by its number in them, and its distance: L1, or the square of L2.
+struct GroupedPoint {
+  std::uint32_t distance = 0;
+  std::uint32_t number = 0;
+};
+
+/// Finds the points of groups (SketchList) within a distance of a point of at most 256 bytes.
+/// @param limit of the distance: L1, or the square of L2
+/// @param found takes them in order; of the size of the groups
+/// @returns how many there are
+std::size_t find_within(std::span<const std::uint8_t> point, std::span<const std::uint8_t> groups,
+                        PointNorm norm, std::uint32_t limit, std::span<GroupedPoint> found);
 
 }  // namespace mdbd

@@ -18,7 +18,7 @@ bool is_batch(const QueryArguments& arguments) {
           std::filesystem::is_directory(arguments.models.front(), error));
 }
 
-QueryAnswer answer_file(const ShapeSearch& search, const std::filesystem::path& file,
+QueryAnswer answer_file(ShapeSearch& search, const std::filesystem::path& file,
                         const QueryArguments& arguments) {
   const bool has_thumbnail = !arguments.html.empty();
   return search.by_file(file, [&](const std::filesystem::path& path, const Recipe& recipe) {
@@ -35,7 +35,7 @@ QueryRun run_batch(const ShapeStore& store, const QueryArguments& arguments) {
   if (found.files.empty() && run.failures.empty()) {
     throw InvalidInput("there are no models to search with");
   }
-  const ShapeSearch search(store, arguments.options, found.files.size());
+  ShapeSearch search(store, arguments.options, found.files.size());
   for (const FoundFile& file : found.files) {
     try {
       run.answers.push_back(answer_file(search, file.path, arguments));
@@ -66,7 +66,7 @@ std::string format_tables(const QueryRun& run, const QueryArguments& arguments,
 
 QueryRun run_queries(const ShapeStore& store, const QueryArguments& arguments) {
   if (is_batch(arguments)) return run_batch(store, arguments);
-  const ShapeSearch search(store, arguments.options);
+  ShapeSearch search(store, arguments.options);
   QueryRun run;
   run.answers.push_back(arguments.models.empty()
                             ? search.by_id(arguments.id)

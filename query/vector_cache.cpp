@@ -1,20 +1,15 @@
 #include "query/vector_cache.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 #include <memory>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
+
+#include "store/checked_file.h"
 
 static_assert(std::endian::native == std::endian::little, "caches are little-endian");
 
@@ -23,18 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<char, 8> magic = {'M', 'D', 'B', 'D', 'V', 'E', 'C', '1'};
-constexpr std::size_t alignment = 64;
+constexpr FileMagic magic = {'M', 'D', 'B', 'D', 'V', 'E', 'C', '2'};
 constexpr std::uint64_t largest_count = std::uint64_t{1} << 40;
 
 using Digest = std::array<std::uint64_t, 2>;
 
-Digest digest_of(XXH128_hash_t hash) { return {hash.low64, hash.high64}; }
+Digest digest_of(std::string_view key) {
+  const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
+  return {hash.low64, hash.high64};
+}
 
+/// The first section.
 struct Header {
-  std::array<char, 8> magic = {};
   Digest key = {};
-  Digest sections = {};  ///< checksum of all that follows the header
   std::uint64_t rows = 0;
   std::uint64_t dimension = 0;
   std::uint64_t path_bytes = 0;
@@ -43,21 +39,16 @@ struct Header {
   double largest_weight = 0.0;
   double largest_magnitude = 0.0;
   double largest_number = 0.0;
-  std::uint64_t checksum = 0;  ///< of the header up to here
+  double step = 0.0;           ///< of the quantiser
+  double largest_error = 0.0;  ///< of the sketches
 };
-static_assert(sizeof(Header) <= 2 * alignment);
 
-std::uint64_t checksum_of(const Header& header) {
-  return XXH3_64bits(&header, offsetof(Header, checksum));
-}
-
-std::size_t padded(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
-
-/// The bytes of each section, in the order of the file.
+/// The bytes of the other sections, in the order of the file.
 struct Sections {
   explicit Sections(const Header& header)
       : axes(header.sketch_size * (header.dimension + 1) * sizeof(double)),
-        groups(SketchList::grouped_size(header.rows, header.sketch_size) * sizeof(float)),
+        corner(header.sketch_size * sizeof(double)),
+        groups(SketchList::grouped_size(header.rows, header.sketch_size)),
         values(header.rows * header.dimension * sizeof(float)),
         ids(header.rows * sizeof(std::int64_t)),
         scales(header.rows * sizeof(double)),
@@ -66,102 +57,46 @@ struct Sections {
 
   std::size_t total() const {
     std::size_t sum = 0;
-    for (const std::size_t size : {axes, groups, values, ids, scales, path_ends, paths}) {
-      sum += padded(size);
+    for (const std::size_t size : {axes, corner, groups, values, ids, scales, path_ends, paths}) {
+      sum += CheckedFile::padded(size);
     }
     return sum;
   }
 
-  std::size_t axes, groups, values, ids, scales, path_ends, paths;
+  std::size_t axes, corner, groups, values, ids, scales, path_ends, paths;
 };
 
-/// A file that is open.
-class OpenFile {
- public:
-  OpenFile(const fs::path& path, int flags) : descriptor_(::open(path.c_str(), flags, 0666)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  bool is_open() const { return descriptor_ >= 0; }
-  int get() const { return descriptor_; }
-
-  bool write(const void* data, std::size_t size) const {
-    const char* next = static_cast<const char*>(data);
-    while (size > 0) {
-      const ssize_t written = ::write(descriptor_, next, size);
-      if (written <= 0) return false;
-      next += written;
-      size -= static_cast<std::size_t>(written);
-    }
-    return true;
-  }
-
- private:
-  int descriptor_;
-};
-
-/// A file in memory; what other programs write to it is not kept out.
-class Mapping {
- public:
-  explicit Mapping(const fs::path& path) {
-    const OpenFile file(path, O_RDONLY | O_CLOEXEC);
-    struct stat status {};
-    if (!file.is_open() || ::fstat(file.get(), &status) != 0 || status.st_size <= 0) return;
-    const auto size = static_cast<std::size_t>(status.st_size);
-    void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file.get(), 0);
-    if (address == MAP_FAILED) return;
-    bytes_ = {static_cast<const std::byte*>(address), size};
-  }
-  ~Mapping() {
-    if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
-  }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-
-  std::span<const std::byte> bytes() const { return bytes_; }
-
- private:
-  std::span<const std::byte> bytes_;
-};
-
-/// Takes sections off the front of bytes.
+/// Takes sections off the front of the content.
 class SectionReader {
  public:
-  explicit SectionReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit SectionReader(std::span<const std::byte> content) : content_(content) {}
 
   template <typename Value>
   std::span<const Value> take(std::size_t size) {
-    const std::span<const Value> section(reinterpret_cast<const Value*>(bytes_.data()),
+    const std::span<const Value> section(reinterpret_cast<const Value*>(content_.data()),
                                          size / sizeof(Value));
-    bytes_ = bytes_.subspan(padded(size));
+    content_ = content_.subspan(CheckedFile::padded(size));
     return section;
   }
 
  private:
-  std::span<const std::byte> bytes_;
+  std::span<const std::byte> content_;
 };
 
 bool is_possible(const Header& header) {
   const auto is_count = [](std::uint64_t count) { return count < largest_count; };
   return is_count(header.rows) && header.dimension < (1U << 20) && is_count(header.path_bytes) &&
-         header.sketch_size < (1U << 10);
+         header.sketch_size <= SketchList::largest_dimension;
 }
 
-/// The header of a cache that is whole and was made from what the key names.
-std::optional<Header> read_header(std::span<const std::byte> bytes, std::string_view key) {
+/// The header of a cache that was made from what the key names.
+std::optional<Header> read_header(const CheckedFile& file, std::string_view key) {
   Header header;
-  if (bytes.size() < 2 * alignment) return std::nullopt;
-  std::memcpy(&header, bytes.data(), sizeof(Header));
-  if (header.magic != magic || header.checksum != checksum_of(header) || !is_possible(header) ||
-      header.key != digest_of(XXH3_128bits(key.data(), key.size()))) {
-    return std::nullopt;
-  }
-  const std::span<const std::byte> sections = bytes.subspan(2 * alignment);
-  if (sections.size() != Sections(header).total() ||
-      header.sections != digest_of(XXH3_128bits(sections.data(), sections.size()))) {
+  if (file.content().size() < CheckedFile::padded(sizeof(Header))) return std::nullopt;
+  file.check(file.content().first(sizeof(Header)));
+  std::memcpy(&header, file.content().data(), sizeof(Header));
+  if (header.key != digest_of(key) || !is_possible(header) ||
+      file.content().size() != CheckedFile::padded(sizeof(Header)) + Sections(header).total()) {
     return std::nullopt;
   }
   return header;
@@ -191,62 +126,42 @@ std::vector<MetricSketch::Axis> to_axes(std::span<const double> matrix, std::siz
   return axes;
 }
 
-std::vector<std::span<const std::byte>> list_sections(const std::vector<double>& axes,
-                                                      const Sketches& sketches,
-                                                      const VectorArrays& arrays) {
-  return {std::as_bytes(std::span(axes)),        std::as_bytes(sketches.list.groups()),
-          std::as_bytes(arrays.values),          std::as_bytes(arrays.ids),
-          std::as_bytes(arrays.scales),          std::as_bytes(arrays.path_ends),
-          std::as_bytes(std::span(arrays.paths))};
+VectorTable read_table(const Header& header, SectionReader& reader,
+                       std::shared_ptr<const CheckedFile> file) {
+  const Sections sections(header);
+  VectorArrays arrays;
+  arrays.dimension = header.dimension;
+  arrays.largest_number = static_cast<float>(header.largest_number);
+  arrays.largest_magnitude = header.largest_magnitude;
+  arrays.values = reader.take<float>(sections.values);
+  arrays.ids = reader.take<std::int64_t>(sections.ids);
+  arrays.scales = reader.take<double>(sections.scales);
+  arrays.path_ends = reader.take<std::uint64_t>(sections.path_ends);
+  const std::span<const char> paths = reader.take<char>(sections.paths);
+  arrays.paths = {paths.data(), paths.size()};
+  return VectorTable(arrays, std::move(file));
 }
 
-std::span<const std::byte> padding_of(std::span<const std::byte> section) {
-  static constexpr std::array<std::byte, alignment> zeros{};
-  return std::span(zeros).first(padded(section.size()) - section.size());
+/// Sketches are read as a whole by every search, so they are checked at once.
+template <typename Value>
+std::span<const Value> take_checked(SectionReader& reader, std::size_t size,
+                                    const CheckedFile& file) {
+  const std::span<const Value> section = reader.take<Value>(size);
+  file.check(std::as_bytes(section));
+  return section;
 }
 
-struct HashStateDeleter {
-  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-
-Digest checksum_of(std::span<const std::span<const std::byte>> sections) {
-  const std::unique_ptr<XXH3_state_t, HashStateDeleter> state(XXH3_createState());
-  XXH3_128bits_reset(state.get());
-  for (const std::span<const std::byte> section : sections) {
-    for (const std::span<const std::byte> part : {section, padding_of(section)}) {
-      XXH3_128bits_update(state.get(), part.data(), part.size());
-    }
-  }
-  return digest_of(XXH3_128bits_digest(state.get()));
-}
-
-bool has_room(const fs::path& path, std::size_t bytes) {
-  std::error_code error;
-  const fs::space_info space = fs::space(path.has_parent_path() ? path.parent_path() : ".", error);
-  return !error && space.available / 2 > bytes;
-}
-
-// Whoever has the lock of an unfinished file may write it; one left by a killed program has none.
-// What was opened may have become the cache of another program before it was locked.
-bool lock(const OpenFile& file, const fs::path& path) {
-  struct stat opened {};
-  struct stat named {};
-  return file.is_open() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 &&
-         ::fstat(file.get(), &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
-bool write_sections(const OpenFile& file, const Header& header,
-                    std::span<const std::span<const std::byte>> sections) {
-  std::array<std::byte, 2 * alignment> front{};
-  std::memcpy(front.data(), &header, sizeof(Header));
-  bool is_written = ::ftruncate(file.get(), 0) == 0 && file.write(front.data(), front.size());
-  for (const std::span<const std::byte> section : sections) {
-    const std::span<const std::byte> padding = padding_of(section);
-    is_written = is_written && file.write(section.data(), section.size()) &&
-                 file.write(padding.data(), padding.size());
-  }
-  return is_written;
+Sketches read_sketches(const Header& header, SectionReader& reader,
+                       std::shared_ptr<const CheckedFile> file) {
+  const Sections sections(header);
+  const PointNorm norm = header.is_l1 != 0 ? PointNorm::l1 : PointNorm::l2;
+  MetricSketch map(to_axes(take_checked<double>(reader, sections.axes, *file), header.dimension),
+                   norm, header.largest_weight);
+  const auto corner = take_checked<double>(reader, sections.corner, *file);
+  const auto groups = take_checked<std::uint8_t>(reader, sections.groups, *file);
+  SketchList list(ScalarQuantiser(header.step, {corner.begin(), corner.end()}),
+                  header.largest_error, groups, header.rows, norm, std::move(file));
+  return {std::move(map), std::move(list)};
 }
 
 }  // namespace
@@ -266,57 +181,44 @@ std::string vector_cache_key(const ShapeStore& store, SignatureKind signature) {
 }
 
 std::optional<CachedVectors> read_vector_cache(const fs::path& path, std::string_view key) {
-  const auto mapping = std::make_shared<const Mapping>(path);
-  const std::optional<Header> header = read_header(mapping->bytes(), key);
-  if (!header) return std::nullopt;
-  const Sections sections(*header);
-  SectionReader reader(mapping->bytes().subspan(2 * alignment));
-  const PointNorm norm = header->is_l1 != 0 ? PointNorm::l1 : PointNorm::l2;
-  MetricSketch map(to_axes(reader.take<double>(sections.axes), header->dimension), norm,
-                   header->largest_weight);
-  SketchList list(reader.take<float>(sections.groups), header->rows, header->sketch_size, norm,
-                  mapping);
-  VectorArrays arrays;
-  arrays.dimension = header->dimension;
-  arrays.largest_number = static_cast<float>(header->largest_number);
-  arrays.largest_magnitude = header->largest_magnitude;
-  arrays.values = reader.take<float>(sections.values);
-  arrays.ids = reader.take<std::int64_t>(sections.ids);
-  arrays.scales = reader.take<double>(sections.scales);
-  arrays.path_ends = reader.take<std::uint64_t>(sections.path_ends);
-  const std::span<const char> paths = reader.take<char>(sections.paths);
-  arrays.paths = {paths.data(), paths.size()};
-  return CachedVectors{VectorTable(arrays, mapping), {std::move(map), std::move(list)}};
+  const std::shared_ptr<const CheckedFile> file = CheckedFile::open(path, magic);
+  if (!file) return std::nullopt;
+  try {
+    const std::optional<Header> header = read_header(*file, key);
+    if (!header) return std::nullopt;
+    SectionReader reader(file->content().subspan(CheckedFile::padded(sizeof(Header))));
+    Sketches sketches = read_sketches(*header, reader, file);
+    return CachedVectors{read_table(*header, reader, file), std::move(sketches)};
+  } catch (const DamagedFile&) {
+    return std::nullopt;
+  }
 }
 
 bool write_vector_cache(const fs::path& path, std::string_view key, const VectorTable& table,
                         const Sketches& sketches) {
   const VectorArrays& arrays = table.arrays();
   const std::vector<double> axes = to_matrix(sketches.map.axes(), arrays.dimension);
-  const auto sections = list_sections(axes, sketches, arrays);
-  Header header{.magic = magic,
-                .key = digest_of(XXH3_128bits(key.data(), key.size())),
-                .sections = checksum_of(sections),
-                .rows = table.size(),
-                .dimension = arrays.dimension,
-                .path_bytes = arrays.paths.size(),
-                .sketch_size = sketches.map.size(),
-                .is_l1 = sketches.map.norm() == PointNorm::l1 ? 1U : 0U,
-                .largest_weight = sketches.map.largest_weight(),
-                .largest_magnitude = arrays.largest_magnitude,
-                .largest_number = arrays.largest_number};
-  header.checksum = checksum_of(header);
-  if (!has_room(path, Sections(header).total())) return false;
-  const fs::path unfinished = fs::path(path) += ".unfinished";
-  const OpenFile file(unfinished, O_WRONLY | O_CREAT | O_CLOEXEC);
-  if (!lock(file, unfinished)) return false;
-  std::error_code error;
-  if (write_sections(file, header, sections)) {
-    fs::rename(unfinished, path, error);
-    if (!error) return true;
-  }
-  fs::remove(unfinished, error);
-  return false;
+  const Header header{.key = digest_of(key),
+                      .rows = table.size(),
+                      .dimension = arrays.dimension,
+                      .path_bytes = arrays.paths.size(),
+                      .sketch_size = sketches.map.size(),
+                      .is_l1 = sketches.map.norm() == PointNorm::l1 ? 1U : 0U,
+                      .largest_weight = sketches.map.largest_weight(),
+                      .largest_magnitude = arrays.largest_magnitude,
+                      .largest_number = arrays.largest_number,
+                      .step = sketches.list.quantiser().step(),
+                      .largest_error = sketches.list.largest_error()};
+  const std::array sections = {std::as_bytes(std::span(&header, 1)),
+                               std::as_bytes(std::span(axes)),
+                               std::as_bytes(sketches.list.quantiser().corner()),
+                               std::as_bytes(sketches.list.groups()),
+                               std::as_bytes(arrays.values),
+                               std::as_bytes(arrays.ids),
+                               std::as_bytes(arrays.scales),
+                               std::as_bytes(arrays.path_ends),
+                               std::as_bytes(std::span(arrays.paths))};
+  return write_checked_file(path, magic, sections);
 }
 
 }  // namespace mdbd

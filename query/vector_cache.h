@@ -14,9 +14,9 @@
 /// just started can search them without reading them out of SQLite. The database holds the truth:
 /// the file is made anew whenever it is missing, stale or damaged, and nothing is lost with it.
 ///
-/// The file is mapped into memory. Its content, little-endian, every section at a multiple of 64
-/// bytes: a header with the checksum of the sections, the axes of the sketches, the sketches in
-/// groups (SketchList), vectors, ids, scales, path ends and paths (VectorArrays).
+/// The sections of the file (CheckedFile), little-endian: a header, the axes of the sketches, the
+/// corner of their quantiser, the sketches in groups (SketchList), vectors, ids, scales, path ends
+/// and paths (VectorArrays).
 namespace mdbd {
 
 /// Smaller collections are read from SQLite in no time.
@@ -36,10 +36,11 @@ struct CachedVectors {
 /// signature. Empty if the store cannot tell its revision.
 std::string vector_cache_key(const ShapeStore& store, SignatureKind signature);
 
-/// Maps a cache. Its checksum is compared first. The file may be replaced or removed meanwhile, but
-/// a program that shortens it in place kills this one.
-/// @returns nothing if it is not there, was made from something else, by another version, or is
-///          damaged
+/// Maps a cache. Header and sketches are checked first, the table when it is read: that throws
+/// DamagedFile. The file may be replaced or removed meanwhile, but a program that shortens it in
+/// place kills this one.
+/// @returns nothing if it is not there, was made from something else or by another version, or if
+///          what is checked is damaged
 std::optional<CachedVectors> read_vector_cache(const std::filesystem::path& path,
                                                std::string_view key);
 

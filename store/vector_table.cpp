@@ -9,6 +9,19 @@
 
 namespace mdbd {
 
+const VectorArrays& VectorTable::arrays() const {
+  checked(arrays_.values);
+  read_models();
+  return arrays_;
+}
+
+void VectorTable::read_models() const {
+  checked(arrays_.ids);
+  checked(arrays_.scales);
+  checked(arrays_.path_ends);
+  checked(std::span(arrays_.paths));
+}
+
 struct VectorTableBuilder::Rows {
   std::size_t dimension = 0;
   std::vector<std::int64_t> ids;

@@ -153,7 +153,7 @@ TEST_CASE("hands are told from what was read, whatever is removed from the datab
   const auto store = open_store(folder / "a.db");
   const std::int64_t id = put_model(*store, "/a.off", 1, true);
   const std::int64_t twin = put_model(*store, "/b.off", 1, true);
-  const ShapeSearch search(*store, {.count = 2, .has_chirality = true});
+  ShapeSearch search(*store, {.count = 2, .has_chirality = true});
   store->remove(twin);
   const QueryAnswer answer = search.by_id(id);
   CHECK(answer.result.matches.at(1).path == "/b.off");

@@ -118,34 +118,62 @@ TEST_CASE("blocks that weigh nothing have no part in a sketch") {
   CHECK(numbers == changed);
 }
 
-TEST_CASE("what is within a radius is visited, also where the radius shrinks") {
-  const auto [norm, is_tree] =
-      GENERATE(std::pair(PointNorm::l1, false), std::pair(PointNorm::l2, false),
-               std::pair(PointNorm::l2, true));
-  constexpr std::size_t dimension = 5;
+TEST_CASE("what is within a radius is visited, once, also where the radius shrinks") {
+  const PointNorm norm = GENERATE(PointNorm::l1, PointNorm::l2);
+  const std::size_t dimension = GENERATE(1U, 5U, 64U);
+  const std::size_t count = GENERATE(1U, 100U, 10'000U);
   constexpr std::size_t rows = 2003;
   std::mt19937 random(4);
   std::uniform_real_distribution<float> anywhere;
   std::vector<float> points(rows * dimension);
   for (float& value : points) value = std::round(8 * anywhere(random)) / 8;  // many equal points
-  const SketchTree tree(points, dimension);
   const SketchList list(points, dimension, norm);
+  std::size_t visited = 0;
+  for (std::size_t query = 0; query < 20; ++query) {
+    const std::span<const float> point = std::span(points).subspan(query * dimension, dimension);
+    const double radius = 0.02 * static_cast<double>(dimension * query);
+    std::vector<int> visits(rows, 0);
+    std::vector<bool> is_announced(rows, false);
+    list.visit_within(
+        point, 1000.0, count,
+        [&](std::size_t row) {
+          ++visits[row];
+          return radius;
+        },
+        [&](std::size_t row) { is_announced[row] = true; });
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double distance =
+          sketch_distance(point, std::span(points).subspan(row * dimension, dimension), norm);
+      if (distance <= radius && visits[row] != 1) FAIL_CHECK(row << " at " << distance);
+      CHECK_FALSE((is_announced[row] && visits[row] > 1));
+      visited += visits[row] > 0 ? 1 : 0;
+    }
+  }
+  CHECK(visited < 20 * rows);
+}
+
+TEST_CASE("a tree of bytes visits what is within a radius") {
+  constexpr std::size_t dimension = 5;
+  constexpr std::size_t rows = 2003;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> anywhere;
+  std::vector<float> points(rows * dimension);
+  for (float& value : points) value = anywhere(random);
+  const SketchList list(points, dimension, PointNorm::l2);
+  const SketchTree tree(list.points(), dimension);
+  std::vector<float> place(dimension);
   for (std::size_t query = 0; query < 20; ++query) {
     const std::span<const float> point = std::span(points).subspan(query * dimension, dimension);
     const double radius = 0.05 * static_cast<double>(query);
     std::vector<bool> is_visited(rows, false);
-    const auto visitor = [&](std::size_t row) {
+    list.quantiser().locate(point, place);
+    tree.visit_within(place, list.reach(10.0), [&](std::size_t row) {
       is_visited[row] = true;
-      return radius;
-    };
-    if (is_tree) {
-      tree.visit_within(point, 10.0, visitor);
-    } else {
-      list.visit_within(point, 10.0, visitor);
-    }
+      return list.reach(radius);
+    });
     for (std::size_t row = 0; row < rows; ++row) {
-      const double distance =
-          sketch_distance(point, std::span(points).subspan(row * dimension, dimension), norm);
+      const double distance = sketch_distance(
+          point, std::span(points).subspan(row * dimension, dimension), PointNorm::l2);
       if (distance <= radius && !is_visited[row]) FAIL_CHECK(row << " at " << distance);
     }
     CHECK(std::ranges::count(is_visited, true) < static_cast<std::ptrdiff_t>(rows));
