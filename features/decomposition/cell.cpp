@@ -20,7 +20,7 @@ Cell::Probe Cell::next_probe() const {
     return probes_ == 0 && at_boundary ? Probe::outward : Probe::none;
   }
   if (probes_ == max_probes) return Probe::none;
-  return probes_ == 0 && side_ == Side::inside ? Probe::across : Probe::peak;
+  return probes_ == 0 && distance_ > 0 ? Probe::across : Probe::peak;
 }
 
 void Cell::tighten(const RemainingSpace& space, double enough) {
@@ -98,29 +98,37 @@ bool Cell::find_nearby_balls(const RemainingSpace& space) {
          !std::equal(old.begin(), old.begin() + old_count, nearby_.begin());
 }
 
-DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
+DistanceQuery Cell::make_query(const RemainingSpace& space, const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
+  double least_gap = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Eigen::Vector3d& center, double distance) {
+    const double gap = (point - center).norm() - std::abs(distance);
+    if (gap >= least_gap) return;
+    least_gap = gap;
+    query.neighbour = center;
+    query.neighbour_distance = distance;
+  };
+  if (space.is_closed()) offer(measured_, distance_);
   for (std::size_t i = 0; i < witness_count_; ++i) {
-    // The boundary passes through every witness, be it a point or a ball.
-    const double distance = (point - witnesses_[i].center).norm() + witnesses_[i].radius;
+    // The boundary passes through every witness, be it a point or a ball outside.
+    const Witness& witness = witnesses_[i];
+    const double distance = (point - witness.center).norm() + witness.radius;
     query.bound = std::min(query.bound, distance);
+    if (space.is_closed() && witness.radius > 0) offer(witness.center, -witness.radius);
   }
   return query;
 }
 
 void Cell::measure(RemainingSpace& space, double enough) {
-  DistanceQuery query = make_query(center_);
-  query.side = side_;
-  const DistanceSample sample = space.measure_solid(query);
+  const DistanceSample sample = space.measure_solid(make_query(space, center_));
   is_measured_ = true;
-  side_ = sample.distance > 0 ? Side::inside : Side::outside;
+  measured_ = center_;
   distance_ = sample.distance;
   value_ = sample.distance;
   balls_seen_ = 0;  // what was inherited may not be the nearest balls
   nearby_count_ = 0;
   limit((distance_ + half_diagonal()) * space.preference().largest_factor(center_, half_size_));
   find_nearby_balls(space);
-  side_is_inherited_ = space.is_closed() && std::abs(distance_) > 0.5 * half_diagonal();
   if (witness_count_ == 0) {
     witness_count_ = 1;
   } else {
@@ -133,9 +141,7 @@ void Cell::measure(RemainingSpace& space, double enough) {
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space, double enough) {
   const Eigen::Vector3d point = space.in_domain(probe_point());
   ++probes_;
-  DistanceQuery query = make_query(point);
-  if (space.is_closed() && std::abs(distance_) > (point - center_).norm()) query.side = side_;
-  const DistanceSample sample = space.measure_solid(query);
+  const DistanceSample sample = space.measure_solid(make_query(space, point));
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
                                   : space.simple_witness_of(sample));
@@ -151,7 +157,7 @@ Eigen::Vector3d Cell::probe_point() const {
   const Eigen::Vector3d from_boundary = (center_ - witnesses_[0].center).normalized();
   switch (next_probe()) {
     case Probe::outward: {
-      const double sign = side_ == Side::inside ? -1.0 : 1.0;
+      const double sign = distance_ > 0 ? -1.0 : 1.0;
       return witnesses_[0].center + sign * 6.0 * half_size_ * from_boundary;
     }
     case Probe::across:
@@ -195,8 +201,6 @@ Cell Cell::divided(int part, int axes) const {
   child.is_measured_ = false;
   child.probes_ = 0;
   child.is_solved_ = false;
-  if (!side_is_inherited_) child.side_ = Side::unknown;
-  child.side_is_inherited_ = false;
   return child;
 }
 
