@@ -15,11 +15,12 @@ double Cell::half_diagonal() const { return std::sqrt(3.0) * half_size_; }
 // In a cell that is large for its balls a division helps more than another boundary point, but at
 // the boundary it helps to know how empty the outside is.
 Cell::Probe Cell::next_probe() const {
-  if (half_size_ > 0.5 * bound_) {
+  if (half_size_ > 0.35 * bound_) {
     const bool at_boundary = std::abs(distance_) < half_diagonal() && half_size_ < 4.0 * bound_;
     return probes_ == 0 && at_boundary ? Probe::outward : Probe::none;
   }
-  if (probes_ == max_probes) return Probe::none;
+  const std::uint8_t most = half_size_ > 0.2 * bound_ ? 1 : 2;
+  if (probes_ >= most) return Probe::none;
   return probes_ == 0 && distance_ > 0 ? Probe::across : Probe::peak;
 }
 

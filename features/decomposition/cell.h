@@ -66,9 +66,8 @@ class Cell {
   double reach(const Eigen::Vector3d& from) const;
 
  private:
-  static constexpr std::size_t kept_witnesses = 6;
-  static constexpr std::size_t nearby_balls = 6;
-  static constexpr std::uint8_t max_probes = 2;
+  static constexpr std::size_t kept_witnesses = 5;
+  static constexpr std::size_t nearby_balls = 3;
   static_assert(kept_witnesses + nearby_balls <= WitnessLanes::capacity);
 
   enum class Probe : std::uint8_t { none, outward, across, peak };
