@@ -181,7 +181,7 @@ void Cell::add_witness(const Witness& witness) {
   std::size_t replaced = 1;
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < kept_witnesses; ++i) {
-    const double distance = witnesses_[i].value(center_);
+    const double distance = (center_ - witnesses_[i].center).norm() - witnesses_[i].radius;
     if ((binding_ >> i & 1U) != 0 || distance <= farthest) continue;
     replaced = i;
     farthest = distance;
