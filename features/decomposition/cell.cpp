@@ -50,20 +50,18 @@ void Cell::tighten(const CubeBounds& bounds, double enough) {
   for (std::size_t i = 0; i < bounds.count; ++i) {
     const AffineFunction f{bounds.offset[i],
                            {bounds.slope[0][i], bounds.slope[1][i], bounds.slope[2][i]}};
-    // What is nowhere below the bound says nothing.
-    if (f.offset - half_size_ * f.slope.lpNorm<1>() >= bound_) continue;
     origin[kept] = static_cast<std::uint8_t>(i);
-    functions[kept++] = f;
+    functions[kept] = f;
+    // What is nowhere below the bound says nothing.
+    kept += f.offset - half_size_ * f.slope.lpNorm<1>() < bound_ ? 1 : 0;
   }
   if (kept == 0) return;
   const MaxMinSolution solution = maximise_minimum({functions.data(), kept}, half_size_);
   limit(solution.value);
   peak_ = (solution.point / half_size_).cast<float>();
-  for (std::size_t i = 0; i < kept; ++i) {
-    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_) {
-      binding_ |= 1U << origin[i];
-    }
-  }
+  unsigned binding = 0;  // the placed balls, too
+  for (std::size_t i = 0; i < kept; ++i) binding |= (solution.binding >> i & 1U) << origin[i];
+  binding_ = static_cast<std::uint8_t>(binding & ((1U << witness_count_) - 1U));
 }
 
 WitnessLanes Cell::witnesses(const RemainingSpace& space) const {
@@ -197,7 +195,7 @@ Cell Cell::divided(int part, int axes) const {
   Cell child = *this;
   child.half_size_ = 0.5 * half_size_;
   for (int axis = 0; axis < axes; ++axis) {
-    child.center_[axis] += (part >> axis & 1) != 0 ? child.half_size_ : -child.half_size_;
+    child.center_[axis] += (2 * (part >> axis & 1) - 1) * child.half_size_;
   }
   child.is_measured_ = false;
   child.probes_ = 0;

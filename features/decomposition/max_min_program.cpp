@@ -46,7 +46,7 @@ class Simplex {
       at_corner[i] =
           functions[i].offset - half_size * (direction_[0] * slope[0] + direction_[1] * slope[1] +
                                              direction_[2] * slope[2]);
-      if (at_corner[i] < at_corner[lowest]) lowest = i;
+      lowest = at_corner[i] < at_corner[lowest] ? i : lowest;
     }
     // t = f_lowest - z_lowest is substituted everywhere.
     const AffineFunction& base = functions[lowest];
@@ -55,7 +55,6 @@ class Simplex {
     for (int c = 0; c < 3; ++c) objective_[c] = direction_[c] * base.slope[c];
     objective_[3] = -1.0;
     for (int i = 0; i < count; ++i) {
-      if (i == lowest) continue;
       basic_[row_count_] = 3 + i;
       upper_bound_[row_count_] = infinity;
       constants_[row_count_] = std::max(0.0, at_corner[i] - at_corner[lowest]);
@@ -63,7 +62,7 @@ class Simplex {
         coefficients_[c][row_count_] = direction_[c] * (functions[i].slope[c] - base.slope[c]);
       }
       coefficients_[3][row_count_] = 1.0;
-      ++row_count_;
+      row_count_ += i == lowest ? 0 : 1;
     }
     for (int r = row_count_; r < rows; ++r) {
       constants_[r] = 0.0;
@@ -82,12 +81,16 @@ class Simplex {
   }
 
   MDBD_PART_OF_CALLER MaxMinSolution solution() const {
+    std::array<double, 3 + rows> values{};
+    for (int r = 0; r < row_count_; ++r) values[basic_[r]] = constants_[r];
     MaxMinSolution solution{objective_constant_, Eigen::Vector3d::Zero(), 0};
-    for (const int variable : nonbasic_) {
-      set_coordinate(variable, 0.0, solution.point);
-      if (variable >= 3) solution.binding |= 1U << (variable - 3);
+    for (int c = 0; c < 3; ++c) {
+      const double along = flipped_[c] ? size_ - values[c] : values[c];
+      solution.point[c] = direction_[c] * (along - half_size_);
     }
-    for (int r = 0; r < row_count_; ++r) set_coordinate(basic_[r], constants_[r], solution.point);
+    std::uint64_t nonbasic = 0;
+    for (const int variable : nonbasic_) nonbasic |= std::uint64_t{1} << variable;
+    solution.binding = static_cast<std::uint32_t>(nonbasic >> 3);
     return solution;
   }
 
@@ -96,30 +99,22 @@ class Simplex {
 
   MDBD_PART_OF_CALLER void choose_corner(std::span<const AffineFunction> functions) {
     double least = infinity;
+    const AffineFunction* allows_least = functions.data();
     for (const AffineFunction& f : functions) {
       const double largest = f.offset + half_size_ * (std::abs(f.slope[0]) + std::abs(f.slope[1]) +
                                                       std::abs(f.slope[2]));
-      if (largest >= least) continue;
-      least = largest;
-      for (int c = 0; c < 3; ++c) direction_[c] = f.slope[c] > 0 ? -1.0 : 1.0;
+      allows_least = largest < least ? &f : allows_least;
+      least = std::min(least, largest);
     }
-  }
-
-  MDBD_PART_OF_CALLER void set_coordinate(int variable, double value,
-                                          Eigen::Vector3d& point) const {
-    if (variable >= 3) return;
-    const double along = (flipped_[variable] ? size_ - value : value) - half_size_;
-    point[variable] = direction_[variable] * along;
+    for (int c = 0; c < 3; ++c) direction_[c] = allows_least->slope[c] > 0 ? -1.0 : 1.0;
   }
 
   MDBD_PART_OF_CALLER int choose_entering() const {
     int best = -1;
     double steepest = pivot_tolerance;
     for (int c = 0; c < columns; ++c) {
-      if (objective_[c] > steepest) {
-        steepest = objective_[c];
-        best = c;
-      }
+      best = objective_[c] > steepest ? c : best;
+      steepest = std::max(steepest, objective_[c]);
     }
     return best;
   }
@@ -137,10 +132,8 @@ class Simplex {
     double step = nonbasic_[entering] < 3 ? size_ : infinity;
     int leaving = -1;
     for (int r = 0; r < row_count_; ++r) {
-      if (limits[r] < step) {
-        step = std::max(0.0, limits[r]);
-        leaving = r;
-      }
+      leaving = limits[r] < step ? r : leaving;
+      step = std::min(step, std::max(0.0, limits[r]));
     }
     if (step == infinity) return false;
     if (leaving < 0) {
@@ -173,9 +166,8 @@ class Simplex {
     const double divisor = -1.0 / coefficients_[c][pivot_row];
     const double constant = constants_[pivot_row] * divisor;
     std::array<double, columns> solved;
-    for (int k = 0; k < columns; ++k) {
-      solved[k] = (k == c ? -1.0 : coefficients_[k][pivot_row]) * divisor;
-    }
+    for (int k = 0; k < columns; ++k) solved[k] = coefficients_[k][pivot_row] * divisor;
+    solved[c] = -divisor;
     alignas(32) Column factors;
     for_each_row<rows>([&](int r) {
       factors[r] = coefficients_[c][r];
