@@ -19,7 +19,7 @@ Cell::Probe Cell::next_probe() const {
     const bool at_boundary = std::abs(distance_) < half_diagonal() && half_size_ < 4.0 * bound_;
     return probes_ == 0 && at_boundary ? Probe::outward : Probe::none;
   }
-  const std::uint8_t most = half_size_ > 0.12 * bound_ ? 1 : 2;
+  const std::uint8_t most = half_size_ > 0.2 * bound_ ? 1 : 2;
   if (probes_ >= most) return Probe::none;
   return probes_ == 0 && distance_ > 0 ? Probe::across : Probe::peak;
 }
