@@ -64,9 +64,11 @@ ExactClimb::Place ExactClimb::look(const Place& from, const Eigen::Vector3d& ste
   if (gap.distance <= from.radius) {  // the boundary does not matter
     return {point, gap.distance, (point - gap.center).normalized(), {}};
   }
-  const Side side = length < from.sample.distance ? Side::inside : Side::unknown;
-  const double bound = (point - from.sample.closest).norm() * rounding;
-  return make_place(point, query({point, side, bound}), gap);
+  const DistanceQuery next{.point = point,
+                           .neighbour = from.point,
+                           .neighbour_distance = from.sample.distance,
+                           .bound = (point - from.sample.closest).norm() * rounding};
+  return make_place(point, query(next), gap);
 }
 
 ExactClimb::Place ExactClimb::make_place(const Eigen::Vector3d& point, const DistanceSample& sample,

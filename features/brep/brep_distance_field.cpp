@@ -246,8 +246,9 @@ void BrepDistanceField::measure(std::span<const DistanceQuery> queries,
     const DistanceQuery& query = queries[i];
     const Nearest nearest = Search(*this, query.point, query.bound).best();
     const double distance = std::sqrt(nearest.squared_distance);
+    const Side side = side_of(query, distance);
     const bool inside =
-        query.side == Side::unknown ? is_inside(query.point, nearest) : query.side == Side::inside;
+        side == Side::unknown ? is_inside(query.point, nearest) : side == Side::inside;
     samples[i] = {inside ? distance : -distance, nearest.point};
     if (is_segment(nearest.element)) continue;
     samples[i].piece = flat_faces_->piece_of(nearest.element);

@@ -15,12 +15,13 @@ double Cell::half_diagonal() const { return std::sqrt(3.0) * half_size_; }
 // In a cell that is large for its balls a division helps more than another boundary point, but at
 // the boundary it helps to know how empty the outside is.
 Cell::Probe Cell::next_probe() const {
-  if (half_size_ > 0.5 * bound_) {
+  if (half_size_ > 0.35 * bound_) {
     const bool at_boundary = std::abs(distance_) < half_diagonal() && half_size_ < 4.0 * bound_;
     return probes_ == 0 && at_boundary ? Probe::outward : Probe::none;
   }
-  if (probes_ == max_probes) return Probe::none;
-  return probes_ == 0 && side_ == Side::inside ? Probe::across : Probe::peak;
+  const std::uint8_t most = half_size_ > 0.2 * bound_ ? 1 : 2;
+  if (probes_ >= most) return Probe::none;
+  return probes_ == 0 && distance_ > 0 ? Probe::across : Probe::peak;
 }
 
 void Cell::tighten(const RemainingSpace& space, double enough) {
@@ -49,20 +50,18 @@ void Cell::tighten(const CubeBounds& bounds, double enough) {
   for (std::size_t i = 0; i < bounds.count; ++i) {
     const AffineFunction f{bounds.offset[i],
                            {bounds.slope[0][i], bounds.slope[1][i], bounds.slope[2][i]}};
-    // What is nowhere below the bound says nothing.
-    if (f.offset - half_size_ * f.slope.lpNorm<1>() >= bound_) continue;
     origin[kept] = static_cast<std::uint8_t>(i);
-    functions[kept++] = f;
+    functions[kept] = f;
+    // What is nowhere below the bound says nothing.
+    kept += f.offset - half_size_ * f.slope.lpNorm<1>() < bound_ ? 1 : 0;
   }
   if (kept == 0) return;
   const MaxMinSolution solution = maximise_minimum({functions.data(), kept}, half_size_);
   limit(solution.value);
   peak_ = (solution.point / half_size_).cast<float>();
-  for (std::size_t i = 0; i < kept; ++i) {
-    if ((solution.binding >> i & 1U) != 0 && origin[i] < witness_count_) {
-      binding_ |= 1U << origin[i];
-    }
-  }
+  unsigned binding = 0;  // the placed balls, too
+  for (std::size_t i = 0; i < kept; ++i) binding |= (solution.binding >> i & 1U) << origin[i];
+  binding_ = static_cast<std::uint8_t>(binding & ((1U << witness_count_) - 1U));
 }
 
 WitnessLanes Cell::witnesses(const RemainingSpace& space) const {
@@ -98,29 +97,37 @@ bool Cell::find_nearby_balls(const RemainingSpace& space) {
          !std::equal(old.begin(), old.begin() + old_count, nearby_.begin());
 }
 
-DistanceQuery Cell::make_query(const Eigen::Vector3d& point) const {
+DistanceQuery Cell::make_query(const RemainingSpace& space, const Eigen::Vector3d& point) const {
   DistanceQuery query{.point = point};
+  double least_gap = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Eigen::Vector3d& center, double distance) {
+    const double gap = (point - center).norm() - std::abs(distance);
+    if (gap >= least_gap) return;
+    least_gap = gap;
+    query.neighbour = center;
+    query.neighbour_distance = distance;
+  };
+  if (space.is_closed()) offer(measured_, distance_);
   for (std::size_t i = 0; i < witness_count_; ++i) {
-    // The boundary passes through every witness, be it a point or a ball.
-    const double distance = (point - witnesses_[i].center).norm() + witnesses_[i].radius;
+    // The boundary passes through every witness, be it a point or a ball outside.
+    const Witness& witness = witnesses_[i];
+    const double distance = (point - witness.center).norm() + witness.radius;
     query.bound = std::min(query.bound, distance);
+    if (space.is_closed() && witness.radius > 0) offer(witness.center, -witness.radius);
   }
   return query;
 }
 
 void Cell::measure(RemainingSpace& space, double enough) {
-  DistanceQuery query = make_query(center_);
-  query.side = side_;
-  const DistanceSample sample = space.measure_solid(query);
+  const DistanceSample sample = space.measure_solid(make_query(space, center_));
   is_measured_ = true;
-  side_ = sample.distance > 0 ? Side::inside : Side::outside;
+  measured_ = center_;
   distance_ = sample.distance;
   value_ = sample.distance;
   balls_seen_ = 0;  // what was inherited may not be the nearest balls
   nearby_count_ = 0;
   limit((distance_ + half_diagonal()) * space.preference().largest_factor(center_, half_size_));
   find_nearby_balls(space);
-  side_is_inherited_ = space.is_closed() && std::abs(distance_) > 0.5 * half_diagonal();
   if (witness_count_ == 0) {
     witness_count_ = 1;
   } else {
@@ -133,9 +140,7 @@ void Cell::measure(RemainingSpace& space, double enough) {
 std::pair<Eigen::Vector3d, double> Cell::probe(RemainingSpace& space, double enough) {
   const Eigen::Vector3d point = space.in_domain(probe_point());
   ++probes_;
-  DistanceQuery query = make_query(point);
-  if (space.is_closed() && std::abs(distance_) > (point - center_).norm()) query.side = side_;
-  const DistanceSample sample = space.measure_solid(query);
+  const DistanceSample sample = space.measure_solid(make_query(space, point));
   // The ball around a point outside up to the boundary holds nothing of the solid.
   add_witness(sample.distance < 0 ? Witness{point, -sample.distance}
                                   : space.simple_witness_of(sample));
@@ -151,7 +156,7 @@ Eigen::Vector3d Cell::probe_point() const {
   const Eigen::Vector3d from_boundary = (center_ - witnesses_[0].center).normalized();
   switch (next_probe()) {
     case Probe::outward: {
-      const double sign = side_ == Side::inside ? -1.0 : 1.0;
+      const double sign = distance_ > 0 ? -1.0 : 1.0;
       return witnesses_[0].center + sign * 6.0 * half_size_ * from_boundary;
     }
     case Probe::across:
@@ -174,7 +179,7 @@ void Cell::add_witness(const Witness& witness) {
   std::size_t replaced = 1;
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < kept_witnesses; ++i) {
-    const double distance = witnesses_[i].value(center_);
+    const double distance = (center_ - witnesses_[i].center).norm() - witnesses_[i].radius;
     if ((binding_ >> i & 1U) != 0 || distance <= farthest) continue;
     replaced = i;
     farthest = distance;
@@ -190,13 +195,11 @@ Cell Cell::divided(int part, int axes) const {
   Cell child = *this;
   child.half_size_ = 0.5 * half_size_;
   for (int axis = 0; axis < axes; ++axis) {
-    child.center_[axis] += (part >> axis & 1) != 0 ? child.half_size_ : -child.half_size_;
+    child.center_[axis] += (2 * (part >> axis & 1) - 1) * child.half_size_;
   }
   child.is_measured_ = false;
   child.probes_ = 0;
   child.is_solved_ = false;
-  if (!side_is_inherited_) child.side_ = Side::unknown;
-  child.side_is_inherited_ = false;
   return child;
 }
 

@@ -66,9 +66,8 @@ class Cell {
   double reach(const Eigen::Vector3d& from) const;
 
  private:
-  static constexpr std::size_t kept_witnesses = 6;
-  static constexpr std::size_t nearby_balls = 6;
-  static constexpr std::uint8_t max_probes = 2;
+  static constexpr std::size_t kept_witnesses = 5;
+  static constexpr std::size_t nearby_balls = 3;
   static_assert(kept_witnesses + nearby_balls <= WitnessLanes::capacity);
 
   enum class Probe : std::uint8_t { none, outward, across, peak };
@@ -78,7 +77,7 @@ class Cell {
   Probe next_probe() const;
   Eigen::Vector3d probe_point() const;
   Cell divided(int part, int axes) const;
-  DistanceQuery make_query(const Eigen::Vector3d& point) const;
+  DistanceQuery make_query(const RemainingSpace& space, const Eigen::Vector3d& point) const;
   void add_witness(const Witness& witness);
   bool find_nearby_balls(const RemainingSpace& space);
   void solve(const RemainingSpace& space, double enough);
@@ -87,7 +86,8 @@ class Cell {
   Eigen::Vector3d center_;
   double half_size_;
   double bound_;
-  double distance_ = 0.0;  // signed, of the centre, once measured
+  Eigen::Vector3d measured_ = Eigen::Vector3d::Zero();  // the last centre that was measured, …
+  double distance_ = 0.0;  // … of this cell or an ancestor, and its signed distance
   double value_ = 0.0;     // d_i at the centre, once measured
   /// Boundary points and balls outside that touch the boundary; once the centre is measured, the
   /// first is the boundary point closest to it.
@@ -101,8 +101,6 @@ class Cell {
   std::uint8_t binding_ = 0;  // bit i is set if the bound rests on witness i
   std::uint8_t probes_ = 0;
   bool is_measured_ = false;
-  Side side_ = Side::unknown;       // of the centre
-  bool side_is_inherited_ = false;  // the boundary cannot lie between the centre and a child's
 };
 
 }  // namespace mdbd

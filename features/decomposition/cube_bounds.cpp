@@ -138,9 +138,9 @@ CubeBounds OctantBounds::of_octant(int octant, const Preference& preference) con
   Eigen::Vector3d center = center_;
   int lowest = 0;
   for (int axis = 0, stride = 1; axis < 3; ++axis, stride *= 3) {
-    const bool is_upper = (octant >> axis & 1) != 0;
-    center[axis] += is_upper ? 0.5 * half_size_ : -0.5 * half_size_;
-    lowest += is_upper ? stride : 0;
+    const int is_upper = octant >> axis & 1;
+    center[axis] += (is_upper - 0.5) * half_size_;
+    lowest += is_upper * stride;
   }
   const Values* const corners[8] = {
       &values_[lowest],     &values_[lowest + 1],  &values_[lowest + 3],  &values_[lowest + 4],

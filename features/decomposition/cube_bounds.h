@@ -9,7 +9,7 @@ namespace mdbd {
 
 /// Witnesses side by side, for vector instructions.
 struct WitnessLanes {
-  static constexpr std::size_t capacity = 12;
+  static constexpr std::size_t capacity = 8;
 
   std::size_t count = 0;
   double center[3][capacity];

@@ -52,8 +52,8 @@ class Search {
 
   // Places the next ball. @returns false if there is none
   bool place_next(BallDecomposition& result) {
+    update_best();
     const double bound = refine_until_certain();
-    drop_overlapped();
     const std::uint32_t chosen = candidates_.choose(space_.centroid());
     if (chosen == Candidates::none) return false;
     const Ball ball = candidates_[chosen].ball;
@@ -78,9 +78,8 @@ class Search {
     std::uint64_t left = std::min(choice_left_, most_choice_work);
     while (!cells_.is_empty()) {
       const double bound = cells_.top().bound;
-      const double best = best_rank();
       if (bound <= enough()) break;
-      const bool is_choice = bound <= best * (1.0 + rank_tolerance_);
+      const bool is_choice = bound <= best_rank_ * (1.0 + rank_tolerance_);
       if (is_choice && left == 0) return bound;
       if (is_full() && is_exhausted(cells_.top().cell)) {
         give_up_top();
@@ -94,9 +93,9 @@ class Search {
         choice_left_ -= spent;
       }
     }
-    if (given_up_.is_empty()) return best_rank() * (1.0 + contact_accuracy);
+    if (given_up_.is_empty()) return best_rank_ * (1.0 + contact_accuracy);
     climb_from_given_up();
-    return std::max(best_rank() * (1.0 + contact_accuracy), given_up_bound_);
+    return std::max(best_rank_ * (1.0 + contact_accuracy), given_up_bound_);
   }
 
   // What has been done so far, in about the time of a distance query.
@@ -122,14 +121,14 @@ class Search {
   // Climbs from the centres of cells that were given up, as long as one is better than the best
   // candidate.
   void climb_from_given_up() {
-    while (!given_up_.is_empty() && given_up_.top().bound > best_rank()) {
+    while (!given_up_.is_empty() && given_up_.top().bound > best_rank_) {
       const std::uint32_t index = given_up_.top().cell;
       Cell& cell = nodes_[index].cell;
       cell.tighten(space_, enough());
-      if (rank_at_center(cell) > best_rank()) climb(index, cell.center());
+      if (rank_at_center(cell) > best_rank_) climb(index, cell.center());
       given_up_.pop();
       if (cell.bound() <= minimum_radius()) continue;
-      given_up_.push({std::min(rank_at_center(cell), best_rank()), index});
+      given_up_.push({std::min(rank_at_center(cell), best_rank_), index});
     }
   }
 
@@ -146,7 +145,7 @@ class Search {
       explore(index);
     } else if (cell.wants_probe()) {
       const auto [point, value] = cell.probe(space_, enough());
-      if (value * space_.preference().factor(point) > best_rank()) climb(index, point);
+      if (value * space_.preference().factor(point) > best_rank_) climb(index, point);
     } else {
       cells_.pop();
       divide(index);
@@ -161,23 +160,21 @@ class Search {
   }
 
   // A cell with a lower bound does not matter for the next ball.
-  double enough() { return Candidates::equal_to(best_rank()); }
+  double enough() const { return Candidates::equal_to(best_rank_); }
 
   double rank_at_center(const Cell& cell) const {
     return cell.value() * space_.preference().factor(cell.center());
   }
 
   // Whether the centre is better than the best candidate, or cannot be told from it.
-  bool is_promising(const Cell& cell) {
-    const double best = best_rank();
+  bool is_promising(const Cell& cell) const {
     const double rank = rank_at_center(cell);
-    return rank > best ||
-           (rank > near_tie * best && cell.bound() <= best * (1.0 + rank_tolerance_));
+    return rank > best_rank_ ||
+           (rank > near_tie * best_rank_ && cell.bound() <= best_rank_ * (1.0 + rank_tolerance_));
   }
 
   // Finds the candidate of a promising cell.
   void explore(std::uint32_t index) {
-    drop_overlapped();
     nodes_[index].candidate = candidates_.find_resolving(nodes_[index].cell);
     if (nodes_[index].candidate == Candidates::none) climb(index, nodes_[index].cell.center());
   }
@@ -189,6 +186,7 @@ class Search {
         find_local_maximum(space_, start, node.cell.half_size(), polish_precision * scale_);
     if (maximum.ball.radius <= minimum_radius()) return;
     node.candidate = candidates_.add(maximum);
+    update_best();
   }
 
   void divide(std::uint32_t index) {
@@ -246,14 +244,10 @@ class Search {
     return node.candidate != Candidates::none && candidates_.resolves(node.candidate, node.cell);
   }
 
-  void drop_overlapped() {
+  // After a ball was placed or a candidate was found.
+  void update_best() {
     candidates_.drop_overlapped([&](std::uint32_t cell) { keep(cell); });
-  }
-
-  // What a new candidate must exceed.
-  double best_rank() {
-    drop_overlapped();
-    return std::max(candidates_.best_rank(), minimum_radius());
+    best_rank_ = std::max(candidates_.best_rank(), minimum_radius());
   }
 
   DecompositionOptions options_;
@@ -261,6 +255,7 @@ class Search {
   double scale_;
   double rank_tolerance_;  // by as much may a rank be below the largest possible
   BlockPool<Node> nodes_;
+  double best_rank_ = 0.0;  // what a new candidate must exceed
   std::uint64_t cell_count_ = 0;
   std::uint64_t choice_left_ = all_choice_work;
   CellQueue cells_;

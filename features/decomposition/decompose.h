@@ -10,7 +10,7 @@ struct DecompositionOptions {
   int balls = 500;                 ///< n, how many balls are placed at most; at least 1
   double radius_tolerance = 1e-3;  ///< epsilon, relative to the radius of the ball placed; above 0
   double minimum_radius = 1e-3;    ///< smaller balls are not placed; relative to R; above 0
-  /// Bounds the memory: how many cells of the octree are kept at once, each of about 400 bytes; at
+  /// Bounds the memory: how many cells of the octree are kept at once, each of about 330 bytes; at
   /// least 1000. Where they do not suffice for the tolerance, as in large thin shells, the largest
   /// balls found are placed, and the upper bounds say how far they may be from the largest.
   std::size_t most_cells = 500'000;

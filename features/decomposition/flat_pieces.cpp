@@ -41,13 +41,16 @@ std::array<Eigen::Vector3d, 6> hexagon(const Eigen::Vector3d& center, double rad
   return corners;
 }
 
+bool is_disc_better(const DistanceSample& sample) {
+  const double reach = apothem * sample.flat_region.radius;
+  if (reach <= least_radius * std::abs(sample.distance)) return false;
+  return sample.piece.empty() || reach > least_gain * clearance(sample.piece, sample.closest);
+}
+
 }  // namespace
 
 const FlatPiece* FlatPieces::around(const DistanceSample& sample) {
-  const double known =
-      sample.piece.empty() ? 0.0 : least_gain * clearance(sample.piece, sample.closest);
-  const double least = std::max(known, least_radius * std::abs(sample.distance));
-  if (apothem * sample.flat_region.radius > least) return find_disc(sample);
+  if (is_disc_better(sample)) return find_disc(sample);
   if (sample.piece.empty()) return nullptr;
   const auto [entry, is_new] = polygons_.try_emplace(sample.piece.data());
   if (is_new) entry->second = std::make_unique<FlatPiece>(sample.piece);

@@ -18,7 +18,7 @@ class Ascent {
  public:
   Ascent(RemainingSpace& space, const Eigen::Vector3d& start, double step, double precision)
       : space_(space), x_(start), step_(step), precision_(precision) {
-    radius_ = measure(start);
+    radius_ = measure({.point = start, .side = Side::inside});
     find_nearby_balls();
   }
 
@@ -37,8 +37,10 @@ class Ascent {
  private:
   double rank() const { return radius_ * space_.preference().factor(x_); }
 
-  double measure(const Eigen::Vector3d& point) {
-    const DistanceSample sample = space_.measure_solid({.point = point, .side = side(point)});
+  double measure(const DistanceQuery& query) {
+    const Eigen::Vector3d& point = query.point;
+    const DistanceSample sample = space_.measure_solid(query);
+    boundary_point_ = sample.closest;
     remember(space_.witness_of(sample));
     double value = sample.distance;
     std::array<std::uint32_t, 1> nearest;
@@ -48,12 +50,6 @@ class Ascent {
       remember(ball);
     }
     return value;
-  }
-
-  /// Within its distance from the boundary everything is on the side of the current point.
-  Side side(const Eigen::Vector3d& point) const {
-    const bool is_near = space_.is_closed() && (point - x_).norm() < radius_;
-    return is_near ? Side::inside : Side::unknown;
   }
 
   void remember(const Witness& witness) {
@@ -89,7 +85,11 @@ class Ascent {
   }
 
   void try_point(const Eigen::Vector3d& point, double promised_gain) {
-    const double radius = measure(point);
+    const double radius =
+        measure({.point = point,
+                 .neighbour = x_,
+                 .neighbour_distance = space_.is_closed() ? std::max(radius_, 0.0) : 0.0,
+                 .bound = (point - boundary_point_).norm()});
     const double gain = radius * space_.preference().factor(point) - rank();
     if (gain < 0.25 * promised_gain) {
       step_ = 0.5 * std::min(step_, (point - x_).lpNorm<Eigen::Infinity>());
@@ -118,7 +118,8 @@ class Ascent {
 
   RemainingSpace& space_;
   Eigen::Vector3d x_;
-  double radius_ = 0.0;  // d_i at x_
+  double radius_ = 0.0;             // d_i at x_
+  Eigen::Vector3d boundary_point_;  // closest to the point that was measured last
   double step_;
   double precision_;
   std::array<Witness, remembered_witnesses> witnesses_;

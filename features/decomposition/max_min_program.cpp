@@ -12,16 +12,15 @@ namespace {
 
 constexpr int columns = 4;  // as many variables are nonbasic at any time
 constexpr int lanes = 4;    // rows are worked on in groups of so many
-constexpr int max_rows = max_min_capacity;
-static_assert(max_rows % lanes == 0);
 constexpr int max_pivots = 64;
 constexpr double pivot_tolerance = 1e-11;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Calls visit(r) for all rows, in groups of lanes.
-template <typename Visitor>
-MDBD_PART_OF_CALLER inline void for_each_row(int padded_count, Visitor&& visit) {
-  for (int begin = 0; begin < padded_count; begin += lanes) {
+template <int rows, typename Visitor>
+MDBD_PART_OF_CALLER inline void for_each_row(Visitor&& visit) {
+  static_assert(rows % lanes == 0);
+  for (int begin = 0; begin < rows; begin += lanes) {
     MDBD_LANES
     for (int i = 0; i < lanes; ++i) visit(begin + i);
   }
@@ -31,21 +30,23 @@ MDBD_PART_OF_CALLER inline void for_each_row(int padded_count, Visitor&& visit) 
 // function that allows the least is largest (so 0 <= u <= size), with slacks z_i = f_i(u) - t >= 0.
 // Variables 0, 1, 2 are u, variable 3 + i is z_i. Each basic variable and t are affine in the
 // nonbasic ones, which are all zero: a variable at its upper bound is replaced by its complement
-// ("flipped"). The tableau is stored by columns; rows beyond the last are zero.
+// ("flipped"). The tableau is stored by columns of a fixed number of rows, enough for all
+// functions; those beyond the last are zero.
+template <int rows>
 class Simplex {
  public:
   MDBD_PART_OF_CALLER Simplex(std::span<const AffineFunction> functions, double half_size)
       : size_(2 * half_size), half_size_(half_size) {
     choose_corner(functions);
     const auto count = static_cast<int>(functions.size());
-    std::array<double, max_rows> at_corner{};
+    std::array<double, rows> at_corner{};
     int lowest = 0;
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector3d& slope = functions[i].slope;
       at_corner[i] =
           functions[i].offset - half_size * (direction_[0] * slope[0] + direction_[1] * slope[1] +
                                              direction_[2] * slope[2]);
-      if (at_corner[i] < at_corner[lowest]) lowest = i;
+      lowest = at_corner[i] < at_corner[lowest] ? i : lowest;
     }
     // t = f_lowest - z_lowest is substituted everywhere.
     const AffineFunction& base = functions[lowest];
@@ -54,7 +55,6 @@ class Simplex {
     for (int c = 0; c < 3; ++c) objective_[c] = direction_[c] * base.slope[c];
     objective_[3] = -1.0;
     for (int i = 0; i < count; ++i) {
-      if (i == lowest) continue;
       basic_[row_count_] = 3 + i;
       upper_bound_[row_count_] = infinity;
       constants_[row_count_] = std::max(0.0, at_corner[i] - at_corner[lowest]);
@@ -62,10 +62,9 @@ class Simplex {
         coefficients_[c][row_count_] = direction_[c] * (functions[i].slope[c] - base.slope[c]);
       }
       coefficients_[3][row_count_] = 1.0;
-      ++row_count_;
+      row_count_ += i == lowest ? 0 : 1;
     }
-    padded_count_ = (row_count_ + lanes - 1) / lanes * lanes;
-    for (int r = row_count_; r < padded_count_; ++r) {
+    for (int r = row_count_; r < rows; ++r) {
       constants_[r] = 0.0;
       upper_bound_[r] = infinity;
       for (auto& column : coefficients_) column[r] = 0.0;
@@ -82,44 +81,40 @@ class Simplex {
   }
 
   MDBD_PART_OF_CALLER MaxMinSolution solution() const {
+    std::array<double, 3 + rows> values{};
+    for (int r = 0; r < row_count_; ++r) values[basic_[r]] = constants_[r];
     MaxMinSolution solution{objective_constant_, Eigen::Vector3d::Zero(), 0};
-    for (const int variable : nonbasic_) {
-      set_coordinate(variable, 0.0, solution.point);
-      if (variable >= 3) solution.binding |= 1U << (variable - 3);
+    for (int c = 0; c < 3; ++c) {
+      const double along = flipped_[c] ? size_ - values[c] : values[c];
+      solution.point[c] = direction_[c] * (along - half_size_);
     }
-    for (int r = 0; r < row_count_; ++r) set_coordinate(basic_[r], constants_[r], solution.point);
+    std::uint64_t nonbasic = 0;
+    for (const int variable : nonbasic_) nonbasic |= std::uint64_t{1} << variable;
+    solution.binding = static_cast<std::uint32_t>(nonbasic >> 3);
     return solution;
   }
 
  private:
-  using Column = std::array<double, max_rows>;
+  using Column = std::array<double, rows>;
 
   MDBD_PART_OF_CALLER void choose_corner(std::span<const AffineFunction> functions) {
     double least = infinity;
+    const AffineFunction* allows_least = functions.data();
     for (const AffineFunction& f : functions) {
       const double largest = f.offset + half_size_ * (std::abs(f.slope[0]) + std::abs(f.slope[1]) +
                                                       std::abs(f.slope[2]));
-      if (largest >= least) continue;
-      least = largest;
-      for (int c = 0; c < 3; ++c) direction_[c] = f.slope[c] > 0 ? -1.0 : 1.0;
+      allows_least = largest < least ? &f : allows_least;
+      least = std::min(least, largest);
     }
-  }
-
-  MDBD_PART_OF_CALLER void set_coordinate(int variable, double value,
-                                          Eigen::Vector3d& point) const {
-    if (variable >= 3) return;
-    const double along = (flipped_[variable] ? size_ - value : value) - half_size_;
-    point[variable] = direction_[variable] * along;
+    for (int c = 0; c < 3; ++c) direction_[c] = allows_least->slope[c] > 0 ? -1.0 : 1.0;
   }
 
   MDBD_PART_OF_CALLER int choose_entering() const {
     int best = -1;
     double steepest = pivot_tolerance;
     for (int c = 0; c < columns; ++c) {
-      if (objective_[c] > steepest) {
-        steepest = objective_[c];
-        best = c;
-      }
+      best = objective_[c] > steepest ? c : best;
+      steepest = std::max(steepest, objective_[c]);
     }
     return best;
   }
@@ -129,7 +124,7 @@ class Simplex {
   MDBD_PART_OF_CALLER bool advance(int entering) {
     const Column& rates = coefficients_[entering];
     alignas(32) Column limits;
-    for_each_row(padded_count_, [&](int r) {
+    for_each_row<rows>([&](int r) {
       const double rate = rates[r];
       const double room = rate < 0.0 ? constants_[r] : upper_bound_[r] - constants_[r];
       limits[r] = std::abs(rate) > pivot_tolerance ? room / std::abs(rate) : infinity;
@@ -137,10 +132,8 @@ class Simplex {
     double step = nonbasic_[entering] < 3 ? size_ : infinity;
     int leaving = -1;
     for (int r = 0; r < row_count_; ++r) {
-      if (limits[r] < step) {
-        step = std::max(0.0, limits[r]);
-        leaving = r;
-      }
+      leaving = limits[r] < step ? r : leaving;
+      step = std::min(step, std::max(0.0, limits[r]));
     }
     if (step == infinity) return false;
     if (leaving < 0) {
@@ -157,7 +150,7 @@ class Simplex {
     objective_constant_ += objective_[c] * size_;
     objective_[c] = -objective_[c];
     Column& column = coefficients_[c];
-    for_each_row(padded_count_, [&](int r) {
+    for_each_row<rows>([&](int r) {
       constants_[r] += column[r] * size_;
       column[r] = -column[r];
     });
@@ -173,11 +166,10 @@ class Simplex {
     const double divisor = -1.0 / coefficients_[c][pivot_row];
     const double constant = constants_[pivot_row] * divisor;
     std::array<double, columns> solved;
-    for (int k = 0; k < columns; ++k) {
-      solved[k] = (k == c ? -1.0 : coefficients_[k][pivot_row]) * divisor;
-    }
+    for (int k = 0; k < columns; ++k) solved[k] = coefficients_[k][pivot_row] * divisor;
+    solved[c] = -divisor;
     alignas(32) Column factors;
-    for_each_row(padded_count_, [&](int r) {
+    for_each_row<rows>([&](int r) {
       factors[r] = coefficients_[c][r];
       coefficients_[c][r] = 0.0;
       constants_[r] += factors[r] * constant;
@@ -188,7 +180,7 @@ class Simplex {
       Column& column = coefficients_[k];
       const double factor = solved[k];
       objective_[k] += objective_factor * factor;
-      for_each_row(padded_count_, [&](int r) { column[r] += factors[r] * factor; });
+      for_each_row<rows>([&](int r) { column[r] += factors[r] * factor; });
       column[pivot_row] = factor;
     }
     constants_[pivot_row] = constant;
@@ -199,11 +191,10 @@ class Simplex {
   double size_;
   double half_size_;
   int row_count_ = 0;
-  int padded_count_ = 0;
   alignas(32) Column constants_;
   alignas(32) std::array<Column, columns> coefficients_;
   alignas(32) Column upper_bound_;
-  std::array<int, max_rows> basic_;
+  std::array<int, rows> basic_;
   std::array<int, columns> nonbasic_;
   std::array<double, 3> direction_{1.0, 1.0, 1.0};  // of u, along each axis
   std::array<bool, 3> flipped_{};
@@ -220,12 +211,21 @@ MaxMinSolution separate_bound(std::span<const AffineFunction> functions, double 
   return {value, Eigen::Vector3d::Zero(), 0};
 }
 
+template <int rows>
+MDBD_PART_OF_CALLER inline MaxMinSolution maximise_with(std::span<const AffineFunction> functions,
+                                                        double half_size) {
+  Simplex<rows> simplex(functions, half_size);
+  return simplex.solve() ? simplex.solution() : separate_bound(functions, half_size);
+}
+
 }  // namespace
 
 MDBD_VECTORISED
 MaxMinSolution maximise_minimum(std::span<const AffineFunction> functions, double half_size) {
-  Simplex simplex(functions, half_size);
-  return simplex.solve() ? simplex.solution() : separate_bound(functions, half_size);
+  const std::size_t count = functions.size();
+  if (count <= 8) return maximise_with<8>(functions, half_size);
+  if (count <= 16) return maximise_with<16>(functions, half_size);
+  return maximise_with<max_min_capacity>(functions, half_size);
 }
 
 }  // namespace mdbd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -18,9 +19,24 @@ enum class Side : unsigned char { unknown, inside, outside };
 struct DistanceQuery {
   Eigen::Vector3d point;
   Side side = Side::unknown;  ///< if known, the field need not find out
+  /// Another point and its signed distance, or less, or zero: where the empty balls around both
+  /// points overlap they are on one side. Only if the boundary is closed.
+  Eigen::Vector3d neighbour = Eigen::Vector3d::Zero();
+  double neighbour_distance = 0.0;
   /// An upper bound of the distance to the boundary: a warm start. It must be true.
   double bound = std::numeric_limits<double>::infinity();
 };
+
+/// The side of a query's point, as far as it follows from what the caller knows.
+/// @param distance of the point to the boundary
+inline Side side_of(const DistanceQuery& query, double distance) {
+  if (query.side != Side::unknown || query.neighbour_distance == 0) return query.side;
+  // Across the boundary from each other the balls may touch, but for rounding.
+  constexpr double least_overlap = 1e-6;
+  const double reach = std::abs(query.neighbour_distance) + distance;
+  if (reach * (1.0 - least_overlap) <= (query.point - query.neighbour).norm()) return Side::unknown;
+  return query.neighbour_distance > 0 ? Side::inside : Side::outside;
+}
 
 /// What is known of the flat surroundings of a boundary point. Object units.
 struct FlatRegion {

@@ -50,8 +50,9 @@ void MeshDistanceField::measure(std::span<const DistanceQuery> queries,
     const DistanceQuery& query = queries[i];
     const ClosestPoint closest = find_closest_point(tree_, query.point, query.bound);
     const double distance = std::sqrt(closest.squared_distance);
-    const bool is_inside = query.side == Side::unknown ? winding_number_(query.point) > 0.5
-                                                       : query.side == Side::inside;
+    const Side side = side_of(query, distance);
+    const bool is_inside =
+        side == Side::unknown ? winding_number_(query.point) > 0.5 : side == Side::inside;
     samples[i] = {is_inside ? distance : -distance, closest.point, piece_of(closest.triangle),
                   regions_.around(closest.point, tree_.sources()[closest.triangle])};
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "features/core/vectorised.h"
@@ -67,33 +68,35 @@ MDBD_PART_OF_CALLER inline void visit_leaves_within(std::span<const TreeNode> no
                                                     const Visitor& visit) {
   struct Entry {
     float squared_distance;
-    std::uint32_t inner;  // the node, or 0 for a leaf
-    TreeLeaf leaf;
+    std::uint32_t child;  // number of the node * width + that of its child
   };
   std::array<Entry, stack_size> stack;
   std::size_t size = 0;
-  const auto push_children = [&](const TreeNode& node) MDBD_PART_OF_CALLER {
+  const auto push_children = [&](std::uint32_t node) MDBD_PART_OF_CALLER {
     alignas(32) Lanes squared;
-    box_distances(node, p, squared);
-    const float limit = reach();
+    box_distances(nodes[node], p, squared);
+    // A child that does not exist is infinitely far.
+    const float limit = std::min(reach(), std::numeric_limits<float>::max());
     const std::size_t begin = size;
-    for (int c = 0; c < TreeNode::width; ++c) {
-      if (squared[c] > limit || node.count[c] == 0) continue;
+    for (std::uint32_t c = 0; c < TreeNode::width; ++c) {
+      if (squared[c] > limit) continue;
       std::size_t at = size++;
       for (; at > begin && stack[at - 1].squared_distance < squared[c]; --at) {
         stack[at] = stack[at - 1];
       }
-      stack[at] = {squared[c], node.inner[c], {node.block[c], node.first[c], node.count[c]}};
+      stack[at] = {squared[c], node * TreeNode::width + c};
     }
   };
-  push_children(nodes[0]);
+  push_children(0);
   while (size > 0) {
     const Entry entry = stack[--size];
     if (entry.squared_distance > reach()) continue;
-    if (entry.inner != 0) {
-      push_children(nodes[entry.inner]);
+    const TreeNode& node = nodes[entry.child / TreeNode::width];
+    const std::uint32_t c = entry.child % TreeNode::width;
+    if (node.inner[c] != 0) {
+      push_children(node.inner[c]);
     } else {
-      visit(entry.leaf);
+      visit(TreeLeaf{node.block[c], node.first[c], node.count[c]});
     }
   }
 }

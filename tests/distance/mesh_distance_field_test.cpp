@@ -71,6 +71,21 @@ TEST_CASE("a batch gives the bits of single measurements, a known side is believ
   }
 }
 
+TEST_CASE("a neighbour tells the side of its empty ball alone") {
+  const MeshDistanceField field(make_torus(1.0, 0.4, 60, 30), true);
+  const std::vector<DistanceQuery> queries = random_queries(400, 1.5);
+  for (std::size_t i = 1; i < queries.size(); ++i) {
+    const DistanceSample neighbour = field.measure(queries[i - 1]);
+    DistanceQuery query{.point = queries[i].point,
+                        .neighbour = queries[i - 1].point,
+                        .neighbour_distance = neighbour.distance};
+    CHECK(field.measure(query).distance == field.measure(queries[i]).distance);
+    // Across the closest boundary point the two balls touch there.
+    query.point = 2.0 * neighbour.closest - query.neighbour;
+    CHECK(field.measure(query).distance == field.measure({.point = query.point}).distance);
+  }
+}
+
 TEST_CASE("a small hole does not turn the inside out") {
   TriangleMesh mesh = make_torus(1.0, 0.4, 60, 30);
   mesh.triangles.erase(mesh.triangles.begin() + 100, mesh.triangles.begin() + 104);
