@@ -9,7 +9,7 @@
 namespace mdbd {
 
 /// Raised whenever the same parameters give other numbers than before.
-inline constexpr int current_algorithm_version = 5;
+inline constexpr int current_algorithm_version = 6;
 
 /// Every parameter that changes numbers. A database holds vectors of one recipe only; vectors of
 /// different recipes are never compared.

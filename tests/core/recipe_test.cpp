@@ -56,7 +56,7 @@ TEST_CASE("a recipe comes back from its entries to the bit") {
 // Recipes are compared with what older programs stored: names and texts must not change.
 TEST_CASE("the entries of the default recipe are these") {
   const RecipeEntries expected = {
-      {"algorithm_version", "5"},    {"balls", "500"},
+      {"algorithm_version", "6"},    {"balls", "500"},
       {"radius_tolerance", "0.001"}, {"minimum_radius", "0.001"},
       {"descriptor_balls", "50"},    {"walk_steps", "50"},
       {"walk_damping", "0.9"},       {"contact_tolerance", "0.001"},

@@ -1,4 +1,5 @@
-// Databases that earlier programs made. data/schema_1.db holds three models and a failed one.
+// Databases that earlier programs made. data/schema_1.db holds three models and a failed one, made by
+// version 5 of the algorithm.
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -18,10 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path copy_of_schema_1(const TemporaryDirectory& folder) {
+/// A database of schema 1 that a version of the algorithm made.
+fs::path copy_of_schema_1(const TemporaryDirectory& folder,
+                          int algorithm_version = current_algorithm_version) {
   const fs::path path = folder / "old.db";
   fs::copy(fs::path(MDBD_TEST_DATA) / "schema_1.db", path);
   fs::permissions(path, fs::perms::owner_all);
+  Database(path, Access::read_write)
+      .execute("UPDATE recipe SET value = '" + std::to_string(algorithm_version) +
+               "' WHERE name = 'algorithm_version'");
   return path;
 }
 
@@ -92,13 +98,13 @@ TEST_CASE("a backup of a database of schema 1 is one, and can be brought up to d
 // Versions 1 and 2 of the algorithm knew neither denoising nor sheets, 3 and 4 no sheets.
 TEST_CASE("a database of an earlier version of the algorithm is refused by name and kept") {
   const TemporaryDirectory folder;
-  const fs::path path = copy_of_schema_1(folder);
-  const int version = GENERATE(1, 2, 3, 4);
-  Database(path, Access::read_write)
-      .execute("UPDATE recipe SET value = '" + std::to_string(version) +
-               "' WHERE name = 'algorithm_version';"
-               "DELETE FROM recipe WHERE name = 'solidify'" +
-               std::string(version < 3 ? " OR name = 'denoise'" : ""));
+  const int version = GENERATE(1, 2, 3, 4, 5);
+  const fs::path path = copy_of_schema_1(folder, version);
+  if (version < 5) {
+    Database(path, Access::read_write)
+        .execute("DELETE FROM recipe WHERE name = 'solidify'" +
+                 std::string(version < 3 ? " OR name = 'denoise'" : ""));
+  }
   const std::string words =
       "made by version " + std::to_string(version) + " of the algorithm, and this mdbd has";
   CHECK_THAT(store_error_of([&] { open_store_read_only(path); }),
