@@ -1,5 +1,5 @@
-// Databases that earlier programs made. data/schema_1.db holds three models and a failed one, made by
-// version 5 of the algorithm.
+// Databases that earlier programs made. data/schema_1.db holds three models and a failed one, made
+// by version 5 of the algorithm.
 #include <filesystem>
 
 #include <catch2/catch.hpp>
