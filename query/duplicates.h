@@ -47,10 +47,11 @@ struct DuplicateOptions {
 struct DuplicatePair {
   std::size_t first = 0;  ///< of DuplicateGroup::models
   std::size_t second = 0;
-  double distance = 0.0;            ///< by mdbd-fused
-  double radii_distance = 0.0;      ///< the part "radii" of the distance by mdbd-100
-  std::optional<double> deviation;  ///< of the surfaces by R of the second, if it was measured
-  double scale_ratio = 1.0;         ///< R of the second by R of the first
+  double distance = 0.0;        ///< by mdbd-fused
+  double radii_distance = 0.0;  ///< the part "radii" of the distance by mdbd-100
+  /// Of the surfaces by R of the second, if it was measured.
+  std::optional<double> deviation = std::nullopt;
+  double scale_ratio = 1.0;  ///< R of the second by R of the first
   Hand hand = Hand::none;
   bool has_same_bytes =
       false;  ///< the files have the same content, of which both are the same solid
@@ -64,7 +65,7 @@ struct DuplicateGroup {
   std::vector<ShapeRecord> models;
   /// Every pair within the threshold or with surfaces that were compared, and the first model with
   /// each other one; ordered.
-  std::vector<DuplicatePair> pairs;
+  std::vector<DuplicatePair> pairs = {};
 };
 
 struct DuplicateReport {

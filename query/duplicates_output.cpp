@@ -13,6 +13,8 @@ namespace {
 
 // Up to this R is the same for people: decimation and single precision move it as much.
 constexpr double shown_ratio = 0.002;
+// As far as files with single precision deviate.
+constexpr double least_shown_deviation = 1e-5;
 
 std::string shown_size(double ratio) {
   if (std::abs(ratio - 1.0) < shown_ratio) return "same size";
@@ -21,6 +23,7 @@ std::string shown_size(double ratio) {
 
 std::string shown_deviation(const DuplicatePair& pair) {
   if (!pair.deviation) return "";
+  if (*pair.deviation < least_shown_deviation) return ", same surface";
   return fmt::format(", surfaces within {:.2g} % of R", 100.0 * *pair.deviation);
 }
 
