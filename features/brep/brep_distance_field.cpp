@@ -246,9 +246,10 @@ void BrepDistanceField::measure(std::span<const DistanceQuery> queries,
     const DistanceQuery& query = queries[i];
     const Nearest nearest = Search(*this, query.point, query.bound).best();
     const double distance = std::sqrt(nearest.squared_distance);
-    const Side side = side_of(query, distance);
+    // The neighbour is not asked: where the search on a curved surface ends at another point than
+    // the closest, the ball up to it is not empty; and the side costs little beside the search.
     const bool inside =
-        side == Side::unknown ? is_inside(query.point, nearest) : side == Side::inside;
+        query.side == Side::unknown ? is_inside(query.point, nearest) : query.side == Side::inside;
     samples[i] = {inside ? distance : -distance, nearest.point};
     if (is_segment(nearest.element)) continue;
     samples[i].piece = flat_faces_->piece_of(nearest.element);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 
 namespace mdbd {
 namespace {
@@ -89,18 +88,16 @@ std::size_t BallSet::update_nearest(const Eigen::Vector3d& point, double limit, 
     ranking.offer(ball, (point - balls_[ball].center).norm() - balls_[ball].radius);
   };
   std::for_each_n(old.begin(), known, offer);
-  for (const std::uint32_t ball : std::views::reverse(balls_around(point))) {
-    if (ball < first) break;
-    offer(ball);
-  }
+  const auto around = balls_around(point);
+  for (auto ball = around.rbegin(); ball != around.rend() && *ball >= first; ++ball) offer(*ball);
   return ranking.size();
 }
 
 bool BallSet::has_near(const Eigen::Vector3d& point, double limit, std::size_t first) const {
-  for (const std::uint32_t ball : std::views::reverse(balls_around(point))) {
-    if (ball < first) break;
-    const double reach = limit + balls_[ball].radius;
-    if ((point - balls_[ball].center).squaredNorm() <= reach * reach) return true;
+  const auto around = balls_around(point);
+  for (auto ball = around.rbegin(); ball != around.rend() && *ball >= first; ++ball) {
+    const double reach = limit + balls_[*ball].radius;
+    if ((point - balls_[*ball].center).squaredNorm() <= reach * reach) return true;
   }
   return false;
 }

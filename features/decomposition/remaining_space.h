@@ -16,11 +16,17 @@ namespace mdbd {
 class RemainingSpace {
  public:
   RemainingSpace(const DistanceField& field, const Preference& preference)
-      : field_(field), preference_(preference), balls_(field.enclosing_ball()) {}
+      : field_(field),
+        preference_(preference),
+        enclosing_(field.enclosing_ball()),
+        balls_(enclosing_) {}
 
   /// Measures the solid alone.
-  DistanceSample measure_solid(const DistanceQuery& query) {
+  DistanceSample measure_solid(DistanceQuery query) {
     ++query_count_;
+    // A field that errs must not lead a climb away from the shape.
+    const double reach = enclosing_.radius * (1.0 + 1e-9);
+    if ((query.point - enclosing_.center).squaredNorm() > reach * reach) query.side = Side::outside;
     return field_.measure(query);
   }
 
@@ -63,6 +69,7 @@ class RemainingSpace {
 
   const DistanceField& field_;
   Preference preference_;
+  Ball enclosing_;
   BallSet balls_;
   FlatPieces pieces_;
   std::uint64_t query_count_ = 0;

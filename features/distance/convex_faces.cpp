@@ -84,7 +84,7 @@ class Joiner {
   // Begins a polygon with `first`, so that it ends with `last`; false if they are no neighbours.
   static bool rotate_to_edge(std::vector<std::uint32_t>& polygon, std::uint32_t first,
                              std::uint32_t last) {
-    std::ranges::rotate(polygon, std::ranges::find(polygon, first));
+    std::rotate(polygon.begin(), std::ranges::find(polygon, first), polygon.end());
     return polygon.front() == first && polygon.back() == last;
   }
 

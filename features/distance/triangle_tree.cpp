@@ -218,7 +218,7 @@ std::uint32_t TriangleTree::add_block(const std::vector<Item>& items, const Rang
     for (int side = 1; side < 3; ++side) {
       if (squared_side(side) > squared_side(longest)) longest = side;
     }
-    std::ranges::rotate(corners, corners.begin() + longest);
+    std::rotate(corners.begin(), corners.begin() + longest, corners.end());
     const Eigen::Vector3d corner = (corners[0] - origin_) * inverse_extent_;
     const Eigen::Vector3d side = (corners[1] - corners[0]) * inverse_extent_;
     const Eigen::Vector3d other = (corners[2] - corners[0]) * inverse_extent_;

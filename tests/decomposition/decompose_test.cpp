@@ -99,6 +99,37 @@ TEST_CASE("a ball holds one ball and then nothing") {
   CHECK(result.termination == Termination::minimum_radius);
 }
 
+namespace {
+
+/// A cube of side 2 that takes points outside its enclosing ball for points inside.
+class ErringField final : public DistanceField {
+ public:
+  using DistanceField::measure;
+  bool is_closed() const override { return true; }
+  Ball enclosing_ball() const override { return cube_.enclosing_ball(); }
+  void measure(std::span<const DistanceQuery> queries,
+               std::span<DistanceSample> samples) const override {
+    cube_.measure(queries, samples);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const bool errs = queries[i].side == Side::unknown &&
+                        queries[i].point.norm() > cube_.enclosing_ball().radius;
+      if (errs) samples[i].distance = std::abs(samples[i].distance);
+    }
+  }
+
+ private:
+  BoxField cube_{Eigen::Vector3d::Ones()};
+};
+
+}  // namespace
+
+TEST_CASE("a field that errs far away leads no ball out of the enclosing ball") {
+  const BallDecomposition result = decompose(ErringField(), {.balls = 9});
+  REQUIRE(result.balls.size() == 9);
+  CHECK(result.balls[0].radius == Approx(1.0));
+  CHECK(result.balls[8].radius == Approx(0.26795).epsilon(1e-3));  // 2 x 0.133975
+}
+
 TEST_CASE("an equilateral prism: its inscribed ball, then six in the corners") {
   const BallDecomposition result =
       decompose(MeshDistanceField(make_triangular_prism(), true), {.balls = 7});
