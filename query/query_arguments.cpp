@@ -51,17 +51,18 @@ void declare_duplicates(CLI::App& app, QueryArguments& arguments) {
       app.add_flag("--duplicates", arguments.has_duplicates,
                    "Show groups of models of the same shape, rescaled, mirrored, turned, decimated "
                    "or in another format, with the evidence for each; nothing is deleted. Models "
-                   "are the same within --threshold, 0.06 if not given, by mdbd-fused, and a sixth "
-                   "of that by the radii of mdbd-100, or if their surfaces, laid upon each other, "
-                   "deviate by at most 0.6 % of R; for that, files of near models are read");
+                   "within --threshold, 0.06 if not given, by mdbd-fused and a sixth of that by "
+                   "the radii of mdbd-100, and some further apart, are laid upon each other, for "
+                   "which their files are read: they are the same if their surfaces deviate by at "
+                   "most 0.6 % of R");
   for (const char* other : {"MODEL", "--id", "--top", "--signature", "--chirality", "--explain",
                             "--html", "--same-size", "--unit", "--approx", "--walk-weight"}) {
     duplicates->excludes(app.get_option(other));
   }
   app.add_flag(
          "--no-surfaces", arguments.has_no_surfaces,
-         "Find duplicates by what is in the database alone: faster, but decimated and scanned "
-         "copies may be missed")
+         "Read no files, and take all models within --threshold for the same: faster, but near "
+         "twins are mixed up, and decimated and scanned copies missed")
       ->needs(duplicates);
 }
 
