@@ -13,8 +13,9 @@
 
 namespace mdbd {
 
-/// The distance by mdbd-fused up to which two models are taken for the same shape, if their radii
-/// by mdbd-100 are within radii_share of it, too: docs/duplicates.md tells how they were measured.
+/// The distance by mdbd-fused up to which signatures take two models for the same shape, if their
+/// radii by mdbd-100 are within radii_share of it, too: docs/duplicates.md tells how they were
+/// measured.
 inline constexpr double duplicate_distance = 0.06;
 inline constexpr double radii_share = 1.0 / 6.0;
 
